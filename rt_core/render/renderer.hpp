@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rt_core/api/lighting.hpp"
+#include "rt_core/image/film.hpp"
+#include "rt_core/render/committed_scene.hpp"
+
+namespace cardioid {
+
+enum class Filter { gaussian, box };
+
+struct RenderSettings {
+    int width = 800, height = 600;
+    std::array<int, 4> crop{0, 0, 0, 0};  ///< x0, y0, x1, y1 in pixels, end exclusive; all 0: the whole picture
+    int samples = 32;                     ///< a pixel; 1 goes through pixel centres
+    std::uint32_t seed = 0;
+    Filter filter = Filter::gaussian;
+    CameraSettings camera;
+    double time_s = 0;                ///< > 0: as many passes as this takes, at most `samples` where given
+    double noise = 0;                 ///< > 0: until the relative standard error of every tile is below
+    std::vector<std::string> layers;  ///< of layer_names()
+    std::string view;                 ///< a debug picture instead of the beauty: view_names() or one of the module's
+};
+
+/// What a render did, for `--stats` and the last line.
+struct RenderStatistics {
+    std::uint64_t camera_rays = 0, shadow_rays = 0, specular_rays = 0;
+    int samples = 0;                      ///< a pixel, that were finished
+    double seconds = 0, cpu_seconds = 0;  ///< of the render phase
+    std::uint64_t bad_samples = 0;        ///< NaN, infinite or negative: replaced by black
+    std::array<int, 2> first_bad_pixel{-1, -1};
+    bool interrupted = false;
+};
+
+struct RenderResult {
+    Film film;
+    RenderStatistics statistics;
+};
+
+/// Names for RenderSettings::layers: direct, indirect, caustic, specular, emission, normal, depth, albedo, region.
+const std::vector<std::string>& layer_names();
+/// Names for RenderSettings::view that need no module: normal, depth, albedo, region.
+const std::vector<std::string>& view_names();
+
+/// A camera that sees the whole box from azimuth and elevation (degrees; azimuth 0 looks along +y from -y ... as
+/// BRL-CAD: az 35, el 25 stands at +x +y, above).
+CameraSettings fitted_camera(const Box3d& bounds, double azimuth_deg, double elevation_deg, double fov_deg,
+                             double aspect);
+
+/// Renders all tiles, in Morton order, on all OpenMP threads; the same picture bit for bit for any number of them.
+/// When progress says interrupted, returns what there is.
+RenderResult render(const CommittedScene& scene, const LightingModule& lighting, const RenderSettings& settings,
+                    Progress& progress);
+
+}  // namespace cardioid

@@ -1,0 +1,92 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rt_core/math/affine.hpp"
+
+namespace cardioid {
+
+/// A plane figure: closed contours, inside by the even-odd rule. Outer contours run counter-clockwise, holes clockwise.
+struct Profile {
+    std::vector<std::vector<Vec2d>> contours;
+    [[nodiscard]] bool empty() const { return contours.empty(); }
+};
+
+/// Triangles, counter-clockwise seen from outside.
+struct TriangleMesh {
+    std::vector<Vec3d> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    bool closed = false;  ///< every edge is shared by two triangles that run it in opposite directions
+};
+
+/// The shapes a ray meets. Each stands in its own local space; Leaf::to_world places it.
+enum class LeafKind : std::uint8_t {
+    box,         ///< 0 <= x,y,z <= 1
+    sphere,      ///< x^2 + y^2 + z^2 <= 1: balls and ellipsoids
+    cone,        ///< 0 <= z <= 1, radius from `a` at z = 0 to `b` at z = 1: cylinders, cones, frusta
+    torus,       ///< ring of radius `a` about z, tube radius `b` < a
+    half_space,  ///< z <= 0
+    prism,       ///< profile x [0, 1] along z; at z = 1 the profile is scaled by `a` (0 < a; 1 is a straight prism)
+    revolution,  ///< profile in (x = distance from the z axis >= 0, y = z) turned about z
+    mesh         ///< closed triangle mesh
+};
+
+struct Leaf {
+    static constexpr std::uint32_t no_material = 0xFFFFFFFFU;
+    LeafKind kind = LeafKind::box;
+    Affine to_world;                       ///< determinant is not zero; negative mirrors
+    double a = 0, b = 0;                   ///< as said at LeafKind
+    std::uint32_t data = 0;                ///< index into SolidTree::profiles or ::meshes
+    std::uint32_t material = no_material;  ///< index into Scene::materials
+    std::uint32_t line = 0;                ///< of the scene file
+};
+
+enum class SolidOp : std::uint8_t {
+    leaf,       ///< `first` indexes SolidTree::leaves
+    unite,      ///< union of the children; empty without any
+    intersect,  ///< empty without any
+    subtract    ///< first child minus the rest; empty where the first is empty
+};
+
+/// A node; its children are SolidTree::children[first .. first + count).
+struct SolidNode {
+    SolidOp op = SolidOp::unite;
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Boolean trees as flat arrays: children stand before their parents, so every walk is a loop and depth costs no stack.
+struct SolidTree {
+    std::vector<SolidNode> nodes;
+    std::vector<std::uint32_t> children;  ///< indices into nodes
+    std::vector<std::uint32_t> roots;     ///< nodes whose union is the model
+    std::vector<Leaf> leaves;
+    std::vector<std::shared_ptr<const Profile>> profiles;
+    std::vector<std::shared_ptr<const TriangleMesh>> meshes;
+
+    /// Adds a node over one leaf and returns the node's index.
+    std::uint32_t add_leaf(const Leaf& leaf) {
+        leaves.push_back(leaf);
+        nodes.push_back({SolidOp::leaf, static_cast<std::uint32_t>(leaves.size() - 1), 1});
+        return static_cast<std::uint32_t>(nodes.size() - 1);
+    }
+    /// Adds a node over existing ones and returns its index.
+    std::uint32_t add_node(SolidOp op, const std::vector<std::uint32_t>& over) {
+        nodes.push_back({op, static_cast<std::uint32_t>(children.size()), static_cast<std::uint32_t>(over.size())});
+        children.insert(children.end(), over.begin(), over.end());
+        return static_cast<std::uint32_t>(nodes.size() - 1);
+    }
+    std::uint32_t add_profile(Profile profile) {
+        profiles.push_back(std::make_shared<const Profile>(std::move(profile)));
+        return static_cast<std::uint32_t>(profiles.size() - 1);
+    }
+    std::uint32_t add_mesh(TriangleMesh mesh) {
+        meshes.push_back(std::make_shared<const TriangleMesh>(std::move(mesh)));
+        return static_cast<std::uint32_t>(meshes.size() - 1);
+    }
+};
+
+}  // namespace cardioid
