@@ -19,12 +19,13 @@ set_property(GLOBAL APPEND PROPERTY JOB_POOLS heavy=1)
 add_library(cardioid_settings INTERFACE)
 add_library(cardioid::settings ALIAS cardioid_settings)
 target_compile_features(cardioid_settings INTERFACE cxx_std_20)
-target_include_directories(cardioid_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(cardioid_settings INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/cardioid>)
 # Contraction off: the same picture from gcc and clang, with or without FMA.
 target_compile_options(cardioid_settings INTERFACE -ffp-contract=off -fno-math-errno -fPIC
                        $<$<BOOL:${CARDIOID_NATIVE}>:-march=native>)
 target_compile_definitions(cardioid_settings INTERFACE CARDIOID_VERSION="${PROJECT_VERSION}"
-                           $<$<CONFIG:Debug>:CARDIOID_ASSERTIONS>)
+                           $<$<OR:$<CONFIG:Debug>,$<BOOL:${CARDIOID_ASSERTIONS}>>:CARDIOID_ASSERTIONS>)
 
 add_library(cardioid_warnings INTERFACE)
 add_library(cardioid::warnings ALIAS cardioid_warnings)

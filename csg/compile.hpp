@@ -10,7 +10,7 @@ namespace cardioid::csg {
 /// transparent[m]: light enters material m. Throws Error(limit) where memory runs out.
 Geometry compile(const Scene& scene, const std::vector<bool>& transparent);
 
-/// The whole model as one region, its union regularised: for volumes, membership and tests.
+/// The whole model as one region, its union regularised: for volumes, membership and tests. Null where it is empty.
 std::unique_ptr<Region> compile_whole(const SolidTree& solids, bool six_digits);
 
 }  // namespace cardioid::csg

@@ -57,6 +57,9 @@ public:
     /// Draws wi from the lobes in `which`; u_lobe chooses the lobe, u the direction, all in [0, 1).
     [[nodiscard]] virtual BsdfSample sample(Vec3 wo, float u_lobe, Vec2 u, Lobe which = Lobe::all) const noexcept = 0;
     [[nodiscard]] virtual Albedo albedo(Vec3 wo) const noexcept = 0;
+    /// What direct light from a lamp at `distance` (scene units) is multiplied by, on top of the inverse square that is
+    /// already in it. 1 is physics; the Phong model of ARL-TR-3608, note [9], has d^2/(a + b d + c d^2). Finite, >= 0.
+    [[nodiscard]] virtual float attenuation(double /*distance*/) const noexcept { return 1; }
     [[nodiscard]] bool is_delta() const noexcept { return !any(lobes() & (Lobe::diffuse | Lobe::glossy)); }
 };
 

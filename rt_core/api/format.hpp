@@ -18,6 +18,8 @@ struct ReadOptions {
     bool openscad_facets = false;        ///< --facets=openscad: everything in facets as OpenSCAD has it
     int smooth_from = 24;                ///< --smooth-from: $fn of at least this is a true curve
     bool show_background = false;        ///< --show-background: what `%` marks is drawn
+    std::string materials_text;          ///< --materials: define_material and map_color calls to read before the scene
+    std::string materials_file;          ///< its name, for messages
 };
 
 /// A kind of scene file in the registry.

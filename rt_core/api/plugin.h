@@ -35,8 +35,14 @@ typedef struct {
     int (*attach)(const CardioidHost*); /* registers hooks; 0 or a CardioidStatus; must not throw */
 } CardioidPlugin;
 
+#if defined(__GNUC__)
+#define CARDIOID_EXPORT __attribute__((visibility("default"))) /* also where the rest is compiled hidden */
+#else
+#define CARDIOID_EXPORT
+#endif
+
 /* The one exported function; called before anything else, so it must not depend on the ABI. */
-const CardioidPlugin* cardioid_plugin_query(void);
+CARDIOID_EXPORT const CardioidPlugin* cardioid_plugin_query(void);
 
 #ifdef __cplusplus
 }

@@ -15,13 +15,15 @@ enum class Filter { gaussian, box };
 
 struct RenderSettings {
     int width = 800, height = 600;
-    std::array<int, 4> crop{0, 0, 0, 0};  ///< x0, y0, x1, y1 in pixels, end exclusive; all 0: the whole picture
-    int samples = 32;                     ///< a pixel; 1 goes through pixel centres
+    /// x0, y0, x1, y1 in pixels, end exclusive; all 0: the whole picture. The film is as large as the crop, its pixels
+    /// are those of the whole picture bit for bit.
+    std::array<int, 4> crop{0, 0, 0, 0};
+    int samples = 32;  ///< a pixel; 1 goes through pixel centres; 0: as many as time_s and noise take
     std::uint32_t seed = 0;
     Filter filter = Filter::gaussian;
     CameraSettings camera;
-    double time_s = 0;                ///< > 0: as many passes as this takes, at most `samples` where given
-    double noise = 0;                 ///< > 0: until the relative standard error of every tile is below
+    double time_s = 0;                ///< > 0: ends after this time, at the latest after `samples`
+    double noise = 0;                 ///< > 0: until the relative standard error of the pixels of every tile is below
     std::vector<std::string> layers;  ///< of layer_names()
     std::string view;                 ///< a debug picture instead of the beauty: view_names() or one of the module's
 };
@@ -29,13 +31,15 @@ struct RenderSettings {
 /// What a render did, for `--stats` and the last line.
 struct RenderStatistics {
     std::uint64_t camera_rays = 0, shadow_rays = 0, specular_rays = 0;
-    int samples = 0;                      ///< a pixel, that were finished
+    int samples = 0;                      ///< a pixel, on average, rounded down
     double seconds = 0, cpu_seconds = 0;  ///< of the render phase
     std::uint64_t bad_samples = 0;        ///< NaN, infinite or negative: replaced by black
     std::array<int, 2> first_bad_pixel{-1, -1};
     bool interrupted = false;
 };
 
+/// Layer normal is the mean of the unit normals towards +ng, depth the distance from the ray's origin averaged over the
+/// samples that met something (0 where none did), region the id of the first sample that did (else -1).
 struct RenderResult {
     Film film;
     RenderStatistics statistics;
@@ -46,13 +50,16 @@ const std::vector<std::string>& layer_names();
 /// Names for RenderSettings::view that need no module: normal, depth, albedo, region.
 const std::vector<std::string>& view_names();
 
-/// A camera that sees the whole box from azimuth and elevation (degrees; azimuth 0 looks along +y from -y ... as
-/// BRL-CAD: az 35, el 25 stands at +x +y, above).
+/// A camera that sees the whole box. It stands, from the box's centre, in the direction of azimuth and elevation
+/// (degrees) as in BRL-CAD: azimuth 0 on +x, 90 on +y, elevation 90 above. fov_deg is the vertical angle, 0 gives an
+/// orthographic view. An empty or unbounded box counts as the cube from -1 to 1.
 CameraSettings fitted_camera(const Box3d& bounds, double azimuth_deg, double elevation_deg, double fov_deg,
                              double aspect);
 
-/// Renders all tiles, in Morton order, on all OpenMP threads; the same picture bit for bit for any number of them.
-/// When progress says interrupted, returns what there is.
+/// Renders all tiles, in Morton order, on all OpenMP threads; the same picture bit for bit for any number of them,
+/// unless time_s ends it. When progress says interrupted, returns what there is: each pixel the mean of its samples,
+/// black where it has none. Throws Error(usage) for a bad size, crop, layer or view, Error(bad_input) for a bad camera,
+/// Error(limit) before anything is allocated where memory does not suffice.
 RenderResult render(const CommittedScene& scene, const LightingModule& lighting, const RenderSettings& settings,
                     Progress& progress);
 

@@ -18,6 +18,7 @@ struct TriangleSurface {
 struct Geometry {
     std::vector<std::unique_ptr<Region>> regions;
     std::vector<TriangleSurface> surfaces;
+    std::vector<std::shared_ptr<const void>> shared;  ///< what regions point to
 };
 
 }  // namespace cardioid

@@ -8,6 +8,8 @@
 
 namespace cardioid {
 
+class EmbreeScene;
+
 /// Bytes the tracer holds, for `--stats`.
 struct TracerMemory {
     std::size_t regions = 0;    ///< solids with their leaves, trees and inner hierarchies
@@ -21,8 +23,8 @@ struct TracerMemory {
 /// lamps in double precision by a callback. Every const function may be called from any thread.
 class Tracer {
 public:
-    /// Takes the geometry over; Throws Error(limit) when memory runs out.
-    Tracer(Geometry geometry, std::vector<LampShape> lamps);
+    /// Takes the geometry over. Throws Error(limit) where memory runs out.
+    Tracer(Geometry geometry, const std::vector<LampShape>& lamps);
     ~Tracer();
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
@@ -31,6 +33,7 @@ public:
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
 
     [[nodiscard]] std::span<const std::unique_ptr<Region>> regions() const noexcept { return geometry_.regions; }
+    [[nodiscard]] std::span<const TriangleSurface> surfaces() const noexcept { return geometry_.surfaces; }
     [[nodiscard]] bool is_region(std::uint32_t id) const noexcept { return id < geometry_.regions.size(); }
     /// Index of the lamp that `id` names, or -1.
     [[nodiscard]] std::int32_t lamp(std::uint32_t id) const noexcept;
@@ -42,11 +45,12 @@ public:
     [[nodiscard]] TracerMemory memory() const noexcept;
 
 private:
-    struct Embree;
+    [[nodiscard]] std::size_t first_lamp() const noexcept;
+
     Geometry geometry_;
-    std::vector<LampShape> lamps_;
+    std::vector<std::unique_ptr<Region>> lamps_;
     Box3d bounds_;
-    std::unique_ptr<Embree> embree_;
+    std::unique_ptr<EmbreeScene> embree_;
 };
 
 }  // namespace cardioid

@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "cli/options/render_options.hpp"
+#include "rt_core/api/registry.hpp"
+#include "rt_core/scene/scene.hpp"
+
+namespace cardioid::cli {
+
+/// The lighting module that the options ask for.
+struct LightingChoice {
+    const LightingKind* kind = nullptr;
+    Params params;                      ///< the scene's photons(...) and --set
+    std::vector<std::string> warnings;  ///< --set that has no effect
+};
+
+/// Throws Error(usage) with the nearest right name where there is no such module or option.
+LightingChoice choose_lighting(const RenderOptions& options, const Scene& scene, const Registry& registry);
+
+/// Makes the module; what it says against a value of --set is Error(usage).
+std::unique_ptr<LightingModule> make_lighting(const LightingChoice& choice, std::uint32_t seed);
+
+}  // namespace cardioid::cli

@@ -1,0 +1,129 @@
+#include <chrono>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "cli/builtins.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/commands/lighting_choice.hpp"
+#include "cli/commands/render_report.hpp"
+#include "cli/commands/render_settings.hpp"
+#include "cli/io/text_output.hpp"
+#include "cli/terminal/interrupt.hpp"
+#include "csg/compile.hpp"
+
+namespace cardioid::cli {
+namespace {
+
+/// Wall clock time of the phases of a render.
+class Stopwatch {
+public:
+    /// Seconds since the last call, under this name.
+    void lap(const std::string& phase) {
+        const auto now = std::chrono::steady_clock::now();
+        phases_s.emplace_back(phase, std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+    std::vector<std::pair<std::string, double>> phases_s;
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Before any work: whatever is written at the end can be written.
+void check_outputs(const RenderOptions& options) {
+    check_image_path(options.output);
+    if (!options.stats.empty()) check_text_path(options.stats);
+    if (!options.save_map.empty()) check_text_path(options.save_map);
+}
+
+/// csg::compile that also measures the model: its box without lamps and ground.
+CompileSolids measuring_compiler(Box3d& model) {
+    return [&model](const Scene& scene, const std::vector<bool>& transparent) {
+        Geometry geometry = csg::compile(scene, transparent);
+        for (const auto& region : geometry.regions)
+            if (const Box3d box = region->bounds(); box.bounded()) model.include(box);
+        for (const TriangleSurface& surface : geometry.surfaces)
+            for (const Vec3d v : surface.mesh->vertices) model.include(surface.to_world.point(v));
+        return geometry;
+    };
+}
+
+void prepare_lighting(LightingModule& module, const RenderOptions& options, const World& world, Console& console) {
+    if (!options.load_map.empty())
+        module.load(options.load_map, world);
+    else
+        module.prepare(world, console);
+    if (!options.save_map.empty() && !interrupted()) module.save(options.save_map);
+}
+
+void write_picture(const RenderReport& report, const Film& film) {
+    ImageWriteSettings settings;
+    settings.exposure = report.options.exposure.value_or(report.scene.film.exposure);
+    settings.half = report.options.half;
+    settings.metadata = picture_metadata(report);
+    write_image(report.options.output, film, settings);
+}
+
+void tell_result(const RenderReport& report, Console& console) {
+    const RenderStatistics& s = report.statistics;
+    if (s.bad_samples > 0)
+        console.warn(fmt::format("{} samples were not finite or negative and count as black, the first in pixel {},{}",
+                                 s.bad_samples, s.first_bad_pixel[0], s.first_bad_pixel[1]));
+    if (console.verbose())
+        for (const std::string& line : statistics_lines(report)) console.log(1, line);
+    console.tell(fmt::format("{}: {}x{}, {} samples a pixel, {:.1f} s", report.options.output, report.settings.width,
+                             report.settings.height, s.samples, s.seconds));
+}
+
+void warn_all(const std::vector<std::string>& warnings, Console& console) {
+    for (const std::string& warning : warnings) console.warn(warning);
+}
+
+int render_scene(const RenderOptions& options, const std::string& command, Console& console) {
+    Stopwatch watch;
+    const std::unique_ptr<Registry> registry = open_registry(options.scene.plugins);
+    console.begin("read");
+    const Scene scene = read_scene(options.scene, *registry);
+    warn_all(scene.warnings, console);
+    static_cast<void>(picture_size(options, scene));
+    const LightingChoice choice = choose_lighting(options, scene, *registry);
+    warn_all(choice.warnings, console);
+    const std::unique_ptr<LightingModule> module = make_lighting(choice, options.seed);
+    watch.lap("read");
+
+    console.begin("build");
+    Box3d model;
+    const CommittedScene committed(scene, *registry, measuring_compiler(model), {true, options.ground});
+    warn_all(committed.warnings(), console);
+    const RenderSettings settings = render_settings(options, scene, model, *module);
+    watch.lap("build");
+
+    catch_interrupts();  // until here there was nothing to save
+    prepare_lighting(*module, options, committed, console);
+    watch.lap("prepare");
+    if (interrupted()) throw Error(ErrorCode::interrupted, "interrupted before the first pixel; nothing is saved");
+    const RenderResult result = render(committed, *module, settings, console);
+    watch.lap("render");
+
+    RenderReport report{options, scene, committed, *choice.kind, *module, settings, result.statistics, command};
+    write_picture(report, result.film);
+    watch.lap("write");
+    report.phases_s = watch.phases_s;
+    if (!options.stats.empty()) write_text(options.stats, statistics_json(report));
+    tell_result(report, console);
+    if (!result.statistics.interrupted) return 0;
+    throw Error(ErrorCode::interrupted, fmt::format("interrupted; {} has what was drawn so far", options.output));
+}
+
+}  // namespace
+
+int run_render(const std::vector<std::string>& words) {
+    const std::optional<RenderOptions> options = parse_render_options(words);
+    if (!options) return 0;
+    check_outputs(*options);
+    if (options->threads > 0) omp_set_num_threads(options->threads);
+    Console console(options->loudness(), progress_style(options->progress, options->loudness()));
+    return render_scene(*options, recorded_command(words), console);
+}
+
+}  // namespace cardioid::cli

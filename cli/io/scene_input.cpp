@@ -1,0 +1,128 @@
+#include "cli/io/scene_input.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "cli/options/values.hpp"
+#include "rt_core/api/error.hpp"
+
+namespace cardioid::cli {
+namespace {
+
+constexpr std::size_t sniffed_bytes = 4096;
+
+struct FileCloser {
+    void operator()(std::FILE* file) const {
+        if (file != stdin) std::fclose(file);
+    }
+};
+
+[[noreturn]] void cannot_read(const std::string& file, const char* why) {
+    throw Error(ErrorCode::io, fmt::format("{}: cannot be read: {}", file, why));
+}
+
+std::vector<std::string> readable_extensions(const Registry& registry) {
+    std::vector<std::string> all;
+    for (const Format& format : registry.formats())
+        if (format.read) all.insert(all.end(), format.extensions.begin(), format.extensions.end());
+    return all;
+}
+
+[[noreturn]] void unknown_format(const std::string& file, const Registry& registry) {
+    const std::string extension = extension_of(file);
+    if (extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off")
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("{}: found a mesh, wanted a scene; a .csg file that says import(\"{}\"); draws it",
+                                file, std::filesystem::path(file).filename().string()));
+    const std::vector<std::string> known = readable_extensions(registry);
+    throw Error(ErrorCode::bad_input, fmt::format("{}: found no scene, wanted a file of format {}{}", file,
+                                                  either(known), suggestion(extension, known)));
+}
+
+}  // namespace
+
+void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& positional) {
+    arguments.positional(positional, "File to read; - is standard input", options.file);
+    arguments.group("Reading the scene");
+    arguments.value("--facets", "auto|openscad", "Round things are round (auto), or have OpenSCAD's facets",
+                    [&](const std::string& text) {
+                        const std::vector<std::string> choices{"auto", "openscad"};
+                        options.openscad_facets = to_choice("--facets", text, choices) == "openscad";
+                    });
+    arguments.value("--smooth-from", "N", "A $fn of at least N is meant to be round [24]",
+                    [&](const std::string& text) {
+                        options.smooth_from = static_cast<int>(to_integer("--smooth-from", text, 3, 1'000'000));
+                    });
+    arguments.value("--unknown", "error|warn", "An unknown call ends the reading, or is a group of its children",
+                    [&](const std::string& text) {
+                        const std::vector<std::string> choices{"error", "warn"};
+                        options.unknown_is_warning = to_choice("--unknown", text, choices) == "warn";
+                    });
+    arguments.text("--base-dir", "DIR", "Where the scene's files are looked for [beside the scene]", options.base_dir);
+    arguments.text("--materials", "FILE", "A .csg file of define_material and map_color calls to read before",
+                   options.materials);
+    arguments.flag("--show-background", "Draw what % marks", options.show_background);
+    arguments.list("--plugin", "FILE", "Load a plug-in; may be given again", options.plugins);
+}
+
+std::string extension_of(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+std::string read_text(const std::string& file) {
+    std::error_code error;
+    if (file != "-" && std::filesystem::is_directory(file, error)) cannot_read(file, "it is a folder");
+    const std::unique_ptr<std::FILE, FileCloser> stream(file == "-" ? stdin : std::fopen(file.c_str(), "rb"));
+    if (!stream) cannot_read(file, std::strerror(errno));
+    std::string text;
+    if (struct stat status{}; fstat(fileno(stream.get()), &status) == 0 && S_ISREG(status.st_mode))
+        text.reserve(static_cast<std::size_t>(status.st_size));
+    char buffer[1 << 16];
+    while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, stream.get())) text.append(buffer, n);
+    if (std::ferror(stream.get())) cannot_read(file, std::strerror(errno));
+    return text;
+}
+
+const Format* find_reader(const std::string& file, const std::string& text, const Registry& registry) {
+    const std::string extension = file == "-" ? "" : extension_of(file);
+    for (const Format& format : registry.formats())
+        for (const char* known : format.extensions)
+            if (format.read && extension == known) return &format;
+    const std::string_view head = std::string_view(text).substr(0, sniffed_bytes);
+    for (const Format& format : registry.formats())
+        if (format.read && format.sniff && format.sniff(head)) return &format;
+    // A stream has no name that could tell more, and our own reader says best what is wrong with it.
+    return file == "-" ? find_reader("stdin.csg", text, registry) : nullptr;
+}
+
+Scene read_scene(const SceneOptions& options, const std::string& text, const Registry& registry) {
+    const std::string name = options.file == "-" ? "<stdin>" : options.file;
+    const Format* const format = find_reader(options.file, text, registry);
+    if (!format) unknown_format(name, registry);
+    ReadOptions read;
+    read.registry = &registry;
+    read.base_dir = options.base_dir;
+    if (!options.materials.empty()) {
+        read.materials_text = read_text(options.materials);
+        read.materials_file = options.materials;
+    }
+    read.unknown_is_warning = options.unknown_is_warning;
+    read.openscad_facets = options.openscad_facets;
+    read.smooth_from = options.smooth_from;
+    read.show_background = options.show_background;
+    return format->read(text, name, read);
+}
+
+Scene read_scene(const SceneOptions& options, const Registry& registry) {
+    return read_scene(options, read_text(options.file), registry);
+}
+
+}  // namespace cardioid::cli

@@ -1,0 +1,69 @@
+#include "formats/mesh/mesh_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "formats/mesh/readers.hpp"
+#include "rt_core/api/error.hpp"
+
+namespace cardioid::formats {
+
+namespace {
+
+using Reader = void (*)(const MeshText&, MeshBuilder&);
+
+/// The whole file. A pipe or device has no size, so it is read piece by piece.
+std::string read_bytes(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw Error(ErrorCode::io, path + ": found a directory, wanted a mesh file");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw Error(ErrorCode::io, path + ": cannot read it: " + std::strerror(errno));
+    constexpr std::size_t piece = 1U << 20;
+    std::string out;
+    const auto size = std::filesystem::file_size(path, ignored);
+    if (!ignored) out.reserve(size + 1);
+    for (std::size_t got = piece; got > 0;) {
+        const std::size_t before = out.size();
+        out.resize(before + piece);
+        in.read(out.data() + before, static_cast<std::streamsize>(piece));
+        got = static_cast<std::size_t>(in.gcount());
+        out.resize(before + got);
+    }
+    if (in.bad()) throw Error(ErrorCode::io, path + ": cannot read it: " + std::strerror(errno));
+    return out;
+}
+
+Reader by_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension == ".stl" ? read_stl : extension == ".obj" ? read_obj : extension == ".ply" ? read_ply : nullptr;
+}
+
+Reader by_content(std::string_view bytes) {
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply;
+    if (bytes.starts_with("solid") || is_binary_stl(bytes)) return read_stl;
+    if (bytes.starts_with("v ") || bytes.find("\nv ") != std::string_view::npos) return read_obj;
+    return nullptr;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::string& path) {
+    const std::string bytes = read_bytes(path);
+    if (bytes.empty()) throw Error(ErrorCode::bad_input, path + ":1: found an empty file, wanted a mesh");
+    const Reader named = by_extension(path);
+    const Reader read = named ? named : by_content(bytes);
+    if (!read) throw Error(ErrorCode::bad_input, path + ":1: found no known mesh format, wanted STL, OBJ or PLY");
+    MeshBuilder mesh;
+    read({bytes, path}, mesh);
+    if (!mesh.has_faces()) throw Error(ErrorCode::bad_input, path + ":1: found no faces, wanted at least one");
+    return mesh.finish();
+}
+
+}  // namespace cardioid::formats

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "formats/mesh/mesh_builder.hpp"
+
+namespace cardioid::formats {
+
+/// A file's bytes and its name for messages.
+struct MeshText {
+    std::string_view bytes;
+    const std::string& file;
+};
+
+/// Each throws Error(bad_input) with file:line or file:byte, and holds no more memory than the file's size allows.
+void read_stl(const MeshText& text, MeshBuilder& mesh);
+void read_obj(const MeshText& text, MeshBuilder& mesh);
+void read_ply(const MeshText& text, MeshBuilder& mesh);
+
+/// Whether the bytes are as long as a binary STL's triangle count says.
+bool is_binary_stl(std::string_view bytes);
+
+}  // namespace cardioid::formats

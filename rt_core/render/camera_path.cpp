@@ -1,0 +1,126 @@
+#include "rt_core/render/camera_path.hpp"
+
+#include "rt_core/render/ray_counts.hpp"
+
+namespace cardioid {
+
+namespace {
+
+/// Specular bounces before Russian roulette begins, the best chance to live on then, and where a path ends anyway.
+constexpr int sure_bounces = 4, most_bounces = 10'000;
+constexpr float best_chance = 0.99F;
+
+Rgb transmitted(const Medium& medium, double length) {
+    if (is_black(medium.absorption)) return Rgb(1);
+    // Infinity times no absorption would be NaN.
+    const float t = static_cast<float>(std::min(length, 1e30));
+    return exp(medium.absorption * -t);
+}
+
+/// Follows the specular chain that begins at the eye.
+class Path {
+public:
+    Path(const CommittedScene& scene, const LightingModule& module, const CameraRay& camera, Sampler& sampler)
+        : scene_(scene),
+          module_(module),
+          camera_(camera),
+          sampler_(sampler),
+          ray_(camera.ray),
+          medium_(camera.medium) {}
+
+    LightParts follow() noexcept {
+        for (bounces_ = 0; bounces_ < most_bounces; ++bounces_)
+            if (!step()) break;
+        return parts_;
+    }
+
+private:
+    /// One segment and the surface at its end; false where the path ends.
+    bool step() noexcept {
+        const Hit hit = scene_.intersect(ray_);
+        throughput_ *= transmitted(*medium_, hit.t);
+        if (!hit.found()) {
+            const Vec3 d(ray_.d);
+            add(&LightParts::emission, straight_ ? scene_.backdrop(d) : scene_.escaped(d));
+            return false;
+        }
+        distance_ += hit.t;
+        SurfacePoint point = scene_.surface(ray_, hit);
+        point.footprint = camera_.pixel + camera_.spread * distance_;
+        const Vec3 wo(-ray_.d);
+        add(&LightParts::emission, scene_.emitted(point, wo));
+        if (point.lamp >= 0) return false;
+        BsdfMemory memory;
+        const Bsdf* bsdf = scene_.bsdf(point, memory);
+        if (!bsdf->is_delta()) scatter(point, *bsdf, wo);
+        return any(bsdf->lobes() & Lobe::specular) && bounce(point, *bsdf, wo);
+    }
+
+    void scatter(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo) noexcept {
+        add(&LightParts::direct, scene_.direct(point, bsdf, wo, sampler_, &module_));
+        add(&LightParts::caustic, module_.caustic(scene_, point, bsdf, wo, sampler_));
+        add(&LightParts::indirect, module_.indirect(scene_, point, bsdf, wo, sampler_));
+    }
+
+    /// Goes on by a delta lobe; false where there is none or the roulette is lost.
+    bool bounce(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo) noexcept {
+        const Vec3 wo_local = point.frame.to_local(wo);
+        const float u_lobe = sampler_.next();
+        const BsdfSample s = bsdf.sample(wo_local, u_lobe, sampler_.next2(), Lobe::specular | Lobe::transmitted);
+        throughput_ *= s.weight;
+        if (is_black(throughput_)) return false;
+        if (bounces_ >= sure_bounces) {
+            const float chance = std::min(best_chance, max_component(throughput_));
+            if (!(sampler_.next() < chance)) return false;
+            throughput_ *= 1 / chance;
+        }
+        const Vec3 wi = point.frame.to_world(s.wi);
+        medium_ = dot(point.ng, wi) > 0 ? point.front : point.back;
+        // A filter does not bend the ray at all: rounding must not either.
+        const bool unbent = s.wi == -wo_local;
+        straight_ = straight_ && unbent;
+        const Vec3d d = unbent ? ray_.d : Vec3d(wi);
+        ray_ = point.ray(wi);
+        ray_.d = d;
+        ++ray_counts.specular;
+        return true;
+    }
+
+    void add(Rgb LightParts::*part, Rgb L) noexcept {
+        (bounces_ == 0 ? parts_.*part : parts_.specular) += throughput_ * L;
+    }
+
+    const CommittedScene& scene_;
+    const LightingModule& module_;
+    const CameraRay& camera_;
+    Sampler& sampler_;
+    Ray ray_;
+    const Medium* medium_;
+    LightParts parts_;
+    Rgb throughput_{1};
+    double distance_ = 0;
+    int bounces_ = 0;
+    bool straight_ = true;  ///< nothing has bent the ray yet, so it shows the backdrop
+};
+
+}  // namespace
+
+std::optional<FirstHit> first_hit(const CommittedScene& scene, const CameraRay& camera) noexcept {
+    const Hit hit = scene.intersect(camera.ray);
+    if (!hit.found()) return std::nullopt;
+    FirstHit first;
+    first.distance = hit.t;
+    first.point = scene.surface(camera.ray, hit);
+    first.point.footprint = camera.pixel + camera.spread * hit.t;
+    BsdfMemory memory;
+    first.albedo = scene.bsdf(first.point, memory)->albedo(first.point.frame.to_local(Vec3(-camera.ray.d)));
+    return first;
+}
+
+LightParts light_along(const CommittedScene& scene, const LightingModule& module, const CameraRay& camera,
+                       Sampler& sampler) noexcept {
+    if (const auto all = module.incoming(scene, camera.ray, sampler)) return *all;
+    return Path(scene, module, camera, sampler).follow();
+}
+
+}  // namespace cardioid

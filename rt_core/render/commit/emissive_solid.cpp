@@ -1,0 +1,184 @@
+#include "rt_core/render/commit/emissive_solid.hpp"
+
+#include <bit>
+
+#include "rt_core/render/commit/make_materials.hpp"
+
+namespace cardioid {
+
+namespace {
+
+constexpr std::uint32_t power_lines = 4096;
+/// Boundaries on one line; more are not walked.
+constexpr int most_crossings = 100'000;
+/// Rounding must not put a point of the solid outside the cone.
+constexpr double sphere_margin = 1 + 1e-4;
+
+/// 1 - cos of the half angle under which p sees the sphere; 2 from inside.
+double cone_from(Vec3d to_centre, double radius) {
+    const double d2 = dot(to_centre, to_centre);
+    if (!(d2 > radius * radius)) return 2;
+    const double sin2 = radius * radius / d2;
+    return sin2 / (1 + std::sqrt(1 - sin2));
+}
+
+SurfacePoint point_on(Vec3d p, Vec3 ng, FaceId id, std::uint32_t material) {
+    SurfacePoint point;
+    point.p = p;
+    point.ng = ng;
+    point.frame = Frame(ng);
+    point.id = id;
+    point.material = material;
+    return point;
+}
+
+Box3d bounds_of(const TriangleSurface& surface) {
+    Box3d box;
+    for (const Vec3d v : surface.mesh->vertices) box.include(surface.to_world.point(v));
+    return box;
+}
+
+}  // namespace
+
+EmissiveSolid::EmissiveSolid(const Box3d& bounds)
+    : centre_(bounds.bounded() ? bounds.centre() : Vec3d{}),
+      radius_(bounds.bounded() ? bounds.diagonal() / 2 * sphere_margin : Box3d::infinity) {}
+
+LightSample EmissiveSolid::sample(Vec3d p, Vec2 u) const noexcept {
+    const Vec3d to_centre = centre_ - p;
+    const double cone = cone_from(to_centre, radius_);
+    LightSample out;
+    out.distance = Box3d::infinity;
+    out.trace = true;
+    const Vec3 local = sample_cone(u, static_cast<float>(cone));
+    out.wi = cone < 2 ? Frame(Vec3(normalize(to_centre))).to_world(local) : local;
+    out.pdf = inv_pi / 2 / static_cast<float>(cone);
+    return out;
+}
+
+float EmissiveSolid::pdf(Vec3d p, Vec3 wi) const noexcept {
+    const Vec3d to_centre = centre_ - p;
+    const double cone = cone_from(to_centre, radius_);
+    if (cone < 2) {
+        // 1 - cos(angle) of wi to the axis from the chord, which keeps its digits where the angle is small.
+        const Vec3d chord = Vec3d(wi) - normalize(to_centre);
+        if (dot(chord, chord) / 2 > cone) return 0;
+    }
+    return inv_pi / 2 / static_cast<float>(cone);
+}
+
+EmissiveRegion::EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials)
+    : EmissiveSolid(region.bounds()), region_(region), id_(id), materials_(materials) {}
+
+Ray EmissiveRegion::line(Vec2 u_place, Vec2 u_direction) const noexcept {
+    const Vec3 outward = sample_sphere(u_place);
+    const Vec3 d = Frame(-outward).to_world(sample_cosine_hemisphere(u_direction));
+    return {centre_ + Vec3d(outward) * radius_, Vec3d(d), 2.1 * radius_, {}, {}};
+}
+
+template <class Use>
+void EmissiveRegion::walk(const Ray& line, Use&& use) const noexcept {
+    Ray ray = line;
+    Hit hit;
+    for (int i = 0; i < most_crossings && region_.first_boundary(ray, id_, hit); ++i) {
+        hit.id.region = id_;
+        ray.o = ray.o + ray.d * hit.t;
+        ray.t_max -= hit.t;
+        ray.from = hit.id;
+        ray.from_ng = hit.ng;
+        if (dot(Vec3d(hit.ng), ray.d) < 0) {
+            const std::uint32_t m = region_.material(hit.leaf);
+            const Rgb L = material_emission(materials_[m], point_on(ray.o, hit.ng, hit.id, m), Vec3(-ray.d));
+            if (!is_black(L)) use(Crossing{hit, ray.o, L});
+        }
+        hit = {};
+    }
+}
+
+void EmissiveRegion::prepare(Vec3d centre, double radius) {
+    if (!std::isfinite(radius_)) {
+        centre_ = centre;
+        radius_ = radius;
+    }
+    double sum[3] = {};
+    for (std::uint32_t i = 0; i < power_lines; ++i) {
+        Sampler sampler(0, Purpose::statistics, id_, i);
+        const Vec2 place = sampler.next2();
+        walk(line(place, sampler.next2()),
+             [&](const Crossing& c) { sum[0] += c.L.r, sum[1] += c.L.g, sum[2] += c.L.b; });
+    }
+    const double sphere = 4 * std::numbers::pi * radius_ * radius_;
+    const auto flux = [&](double x) { return static_cast<float>(std::numbers::pi * sphere * x / power_lines); };
+    power_ = {flux(sum[0]), flux(sum[1]), flux(sum[2])};
+}
+
+LightEmission EmissiveRegion::emit(Vec2 u_place, Vec2 u_direction) const noexcept {
+    const Ray ray = line(u_place, u_direction);
+    std::uint64_t count = 0;
+    walk(ray, [&](const Crossing&) { ++count; });
+    LightEmission out;
+    if (count == 0) return out;
+    // One of the crossings, chosen by the bits of the same numbers, stands for all.
+    const std::uint64_t bits = std::uint64_t{std::bit_cast<std::uint32_t>(u_place.x)} << 32 ^
+                               std::uint64_t{std::bit_cast<std::uint32_t>(u_direction.y)} << 16 ^
+                               std::bit_cast<std::uint32_t>(u_direction.x);
+    std::uint64_t chosen = mix64(bits) % count;
+    const double measure = std::numbers::pi * 4 * std::numbers::pi * radius_ * radius_ * static_cast<double>(count);
+    walk(ray, [&](const Crossing& c) {
+        if (chosen-- != 0) return;
+        out.ray = {c.p, -ray.d, Box3d::infinity, c.hit.id, c.hit.ng};
+        out.flux = c.L * static_cast<float>(measure);
+    });
+    return out;
+}
+
+EmissiveMesh::EmissiveMesh(const TriangleSurface& surface, std::uint32_t id, std::span<const Material> materials)
+    : EmissiveSolid(bounds_of(surface)), surface_(surface), id_(id), material_(materials[surface.material]) {
+    double total = 0;
+    double sum[3] = {};
+    for (std::size_t i = 0; i < surface.mesh->triangles.size(); ++i) {
+        const auto [a, b, c] = corners(i);
+        const Vec3d normal = cross(b - a, c - a);
+        const double area = length(normal) / 2;
+        total += area;
+        area_.push_back(total);
+        if (!(area > 0)) continue;
+        const Vec3 ng(normalize(normal));
+        const Rgb L = material_emission(material_, point_on((a + b + c) / 3.0, ng, {id_, 0}, surface.material), ng);
+        sum[0] += L.r * area, sum[1] += L.g * area, sum[2] += L.b * area;
+    }
+    power_ = Rgb(static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])) * pi;
+}
+
+EmissiveMesh::Corners EmissiveMesh::corners(std::size_t triangle) const {
+    const auto& index = surface_.mesh->triangles[triangle];
+    Corners out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = surface_.to_world.point(surface_.mesh->vertices[index[i]]);
+    // A mirroring placement turns the triangles over.
+    if (surface_.to_world.determinant() < 0) std::swap(out[1], out[2]);
+    return out;
+}
+
+LightEmission EmissiveMesh::emit(Vec2 u_place, Vec2 u_direction) const noexcept {
+    LightEmission out;
+    const double total = area_.empty() ? 0 : area_.back();
+    if (!(total > 0)) return out;
+    const double wanted = u_place.x * total;
+    const std::size_t i =
+        std::min(static_cast<std::size_t>(std::upper_bound(area_.begin(), area_.end(), wanted) - area_.begin()),
+                 area_.size() - 1);
+    const double before = i == 0 ? 0 : area_[i - 1];
+    const double along =
+        area_[i] > before ? std::sqrt(std::clamp((wanted - before) / (area_[i] - before), 0.0, 1.0)) : 0;
+    const auto [a, b, c] = corners(i);
+    const Vec3 ng(normalize(cross(b - a, c - a)));
+    const Vec3d p = a + (b - a) * (along * (1 - u_place.y)) + (c - a) * (along * u_place.y);
+    const FaceId face{id_, static_cast<std::uint32_t>(i)};
+    const Vec3 d = Frame(ng).to_world(sample_cosine_hemisphere(u_direction));
+    out.ray = {p, Vec3d(d), Box3d::infinity, face, ng};
+    out.flux = material_emission(material_, point_on(p, ng, face, surface_.material), d) *
+               static_cast<float>(total * std::numbers::pi);
+    return out;
+}
+
+}  // namespace cardioid

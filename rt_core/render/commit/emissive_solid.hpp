@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "rt_core/api/world.hpp"
+#include "rt_core/trace/geometry.hpp"
+
+namespace cardioid {
+
+/// A solid or mesh of an emissive material as a light. Directions are drawn uniformly within the cone around its
+/// bounding sphere, from inside that sphere over all directions; what they find on it is left to a ray
+/// (LightSample::trace), so any shape, its holes included, lights the scene without bias.
+class EmissiveSolid : public Light {
+public:
+    [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept final;
+    [[nodiscard]] float pdf(Vec3d p, Vec3 wi) const noexcept final;
+    [[nodiscard]] Rgb power() const noexcept final { return power_; }
+
+protected:
+    explicit EmissiveSolid(const Box3d& bounds);
+
+    Vec3d centre_;
+    double radius_;  ///< of the bounding sphere; infinite until prepare() for unbounded solids
+    Rgb power_;
+};
+
+/// An emissive region. Its power and its photons come from uniformly distributed lines through its bounding sphere: a
+/// sphere of surface S is crossed by oriented lines of measure pi S, and every place where a line enters the solid
+/// stands for flux pi S L of that measure (Cauchy-Crofton; Santalo 1976, chapter 14).
+class EmissiveRegion final : public EmissiveSolid {
+public:
+    EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials);
+    /// Estimates the power by 4096 fixed lines; an unbounded region is taken within the scene's sphere.
+    void prepare(Vec3d centre, double radius) override;
+    [[nodiscard]] LightEmission emit(Vec2 u_place, Vec2 u_direction) const noexcept override;
+
+private:
+    struct Crossing {
+        Hit hit;
+        Vec3d p;
+        Rgb L;
+    };
+    /// Calls use(Crossing) at each place where the line enters the solid.
+    template <class Use>
+    void walk(const Ray& line, Use&& use) const noexcept;
+    [[nodiscard]] Ray line(Vec2 u_place, Vec2 u_direction) const noexcept;
+
+    const Region& region_;
+    std::uint32_t id_;
+    std::span<const Material> materials_;
+};
+
+/// An emissive mesh; its power and photons come from its triangles by area.
+class EmissiveMesh final : public EmissiveSolid {
+public:
+    EmissiveMesh(const TriangleSurface& surface, std::uint32_t id, std::span<const Material> materials);
+    [[nodiscard]] LightEmission emit(Vec2 u_place, Vec2 u_direction) const noexcept override;
+
+private:
+    using Corners = std::array<Vec3d, 3>;
+    [[nodiscard]] Corners corners(std::size_t triangle) const;
+
+    const TriangleSurface& surface_;
+    std::uint32_t id_;
+    const Material& material_;
+    std::vector<double> area_;  ///< cumulative, a triangle each
+};
+
+}  // namespace cardioid

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+
+namespace cardioid {
+
+/// Rays that this thread has traced for the renderer.
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, specular = 0;
+};
+
+/// Counters of the calling thread; whoever wants the count of a piece of work takes the difference.
+inline constinit thread_local RayCounts ray_counts;
+
+}  // namespace cardioid

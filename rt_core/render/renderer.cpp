@@ -1,0 +1,228 @@
+#include "rt_core/render/renderer.hpp"
+
+#include <atomic>
+#include <ctime>
+#include <fmt/format.h>
+#include <mutex>
+
+#include "rt_core/api/parallel.hpp"
+#include "rt_core/render/camera.hpp"
+#include "rt_core/render/film_sums.hpp"
+#include "rt_core/render/pixel_filter.hpp"
+#include "rt_core/render/ray_counts.hpp"
+#include "rt_core/render/stop_rule.hpp"
+#include "rt_core/render/views.hpp"
+
+namespace cardioid {
+
+namespace {
+
+double process_cpu_seconds() {
+    std::timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+/// The crop of the settings, or all of the picture. Throws Error(usage) where it is empty or sticks out.
+std::array<int, 4> checked_crop(const RenderSettings& s) {
+    if (s.width < 1 || s.height < 1)
+        throw Error(ErrorCode::usage, fmt::format("a picture of {} x {} pixels has none", s.width, s.height));
+    if (s.crop == std::array{0, 0, 0, 0}) return {0, 0, s.width, s.height};
+    const auto [x0, y0, x1, y1] = s.crop;
+    if (x0 < 0 || y0 < 0 || x1 > s.width || y1 > s.height || x0 >= x1 || y0 >= y1)
+        throw Error(ErrorCode::usage, fmt::format("crop {},{},{},{} must be x0 < x1 <= {} and y0 < y1 <= {}", x0, y0,
+                                                  x1, y1, s.width, s.height));
+    return s.crop;
+}
+
+bool is_bad(Rgb c) { return !is_finite(c) || min_component(c) < 0; }
+
+class Job {
+public:
+    Job(const CommittedScene& scene, const LightingModule& module, const RenderSettings& settings, Progress& progress)
+        : scene_(scene),
+          module_(module),
+          settings_(settings),
+          progress_(progress),
+          crop_(checked_crop(settings)),
+          camera_(settings.camera, settings.width, settings.height),
+          sums_(crop_[2] - crop_[0], crop_[3] - crop_[1], settings.layers),
+          tiles_(morton_tiles(crop_)),
+          samples_(tiles_.size()),
+          quiet_(tiles_.size()),
+          plan_(settings) {
+        if (!settings.view.empty()) view_.emplace(settings.view, scene, module);
+        if (settings.noise > 0) noise_.emplace(settings.noise, pixel_count());
+        if (settings.samples <= 0 && !(settings.time_s > 0) && !(settings.noise > 0))
+            throw Error(ErrorCode::usage, fmt::format("{} samples a pixel: at least 1 is wanted", settings.samples));
+        if (camera_.is_pinhole()) eye_medium_ = scene.medium_at(camera_.eye());
+    }
+
+    RenderResult run() {
+        const double cpu = process_cpu_seconds();
+        progress_.begin("render");
+        std::uint32_t done = 0, passes = 0;
+        while (const std::uint32_t count = stopped() ? 0 : plan_.next(done)) {
+            parallel_for(static_cast<std::int64_t>(tiles_.size()), [&](std::int64_t i) {
+                const auto tile = static_cast<std::size_t>(i);
+                if (quiet_[tile] || stopped()) return;
+                render_tile(tile, done, count);
+            });
+            done += count;
+            ++passes;
+            if (noise_ && !hush(passes, count)) break;
+        }
+        statistics_.interrupted = progress_.interrupted();
+        statistics_.seconds = plan_.seconds();
+        statistics_.cpu_seconds = process_cpu_seconds() - cpu;
+        statistics_.samples = static_cast<int>(samples_done_ / pixel_count());
+        name_bad_pixel();
+        return {std::move(sums_).finish(pixel_samples()), statistics_};
+    }
+
+private:
+    [[nodiscard]] std::size_t pixel_count() const {
+        return static_cast<std::size_t>(crop_[2] - crop_[0]) * static_cast<std::size_t>(crop_[3] - crop_[1]);
+    }
+    [[nodiscard]] std::size_t film_index(int x, int y) const {
+        return static_cast<std::size_t>(y - crop_[1]) * static_cast<std::size_t>(crop_[2] - crop_[0]) +
+               static_cast<std::size_t>(x - crop_[0]);
+    }
+    /// The user or the clock wants an end; the clock only once every pixel has had a sample.
+    [[nodiscard]] bool stopped() const {
+        return progress_.interrupted() || (samples_done_.load() >= pixel_count() && plan_.time_is_up());
+    }
+
+    void render_tile(std::size_t index, std::uint32_t first, std::uint32_t count);
+    [[nodiscard]] CameraRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
+    [[nodiscard]] PixelSample sample(int x, int y, std::uint32_t number) const noexcept;
+    bool hush(std::uint32_t passes, std::uint32_t count);
+    [[nodiscard]] std::vector<std::size_t> pixels_of(const Tile& tile) const;
+    [[nodiscard]] std::vector<std::uint32_t> pixel_samples() const;
+    void name_bad_pixel();
+
+    const CommittedScene& scene_;
+    const LightingModule& module_;
+    const RenderSettings& settings_;
+    Progress& progress_;
+    std::array<int, 4> crop_;
+    Camera camera_;
+    FilmSums sums_;
+    std::vector<Tile> tiles_;
+    std::vector<std::uint32_t> samples_;  ///< a pixel, of each tile
+    std::vector<char> quiet_;             ///< tiles whose noise is low enough
+    PassPlan plan_;
+    std::optional<View> view_;
+    std::optional<NoiseMeter> noise_;
+    const Medium* eye_medium_ = nullptr;  ///< of a pinhole camera
+
+    std::atomic<std::uint64_t> samples_done_{0};
+    std::mutex mutex_;  ///< guards the two below
+    RenderStatistics statistics_;
+    std::size_t first_bad_ = SIZE_MAX;
+};
+
+CameraRay Job::camera_ray(int x, int y, Sampler& sampler) const noexcept {
+    Vec2d film{x + 0.5, y + 0.5};
+    const Vec2 u_film = sampler.next2(), u_lens = sampler.next2();
+    if (settings_.samples != 1)
+        film = film + (settings_.filter == Filter::box ? sample_box_filter(u_film) : sample_gaussian_filter(u_film));
+    const Ray ray = camera_.ray(film, u_lens);
+    const double pixel = camera_.footprint(0);
+    return {ray, eye_medium_ ? eye_medium_ : scene_.medium_at(ray.o), pixel, camera_.footprint(1) - pixel};
+}
+
+PixelSample Job::sample(int x, int y, std::uint32_t number) const noexcept {
+    const std::uint64_t pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) + static_cast<std::uint64_t>(x);
+    Sampler sampler(settings_.seed, Purpose::camera, pixel, number);
+    const CameraRay camera = camera_ray(x, y, sampler);
+    ++ray_counts.camera;
+    PixelSample out;
+    if (sums_.wants_first_hit()) out.first = first_hit(scene_, camera);
+    if (view_) {
+        out.beauty = view_->colour(camera);
+        return out;
+    }
+    out.parts = light_along(scene_, module_, camera, sampler);
+    out.beauty = out.parts.sum();
+    return out;
+}
+
+void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t count) {
+    const RayCounts before = ray_counts;
+    const Tile& tile = tiles_[index];
+    std::uint64_t bad = 0;
+    std::size_t first_bad = SIZE_MAX;
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const std::size_t pixel = film_index(x, y);
+            for (std::uint32_t s = first; s < first + count; ++s) {
+                PixelSample found = sample(x, y, s);
+                if (is_bad(found.beauty)) {
+                    ++bad;
+                    first_bad = std::min(first_bad, pixel);
+                    found.beauty = {};
+                    found.parts = {};
+                }
+                sums_.add(pixel, found);
+            }
+            if (noise_) noise_->add_pass(pixel, sums_.luminance_sum(pixel), count);
+        }
+    samples_[index] = first + count;
+
+    const auto pixels = static_cast<std::uint64_t>(tile.x1 - tile.x0) * static_cast<std::uint64_t>(tile.y1 - tile.y0);
+    const std::uint64_t done = samples_done_ += pixels * count;
+    progress_.update(plan_.share(static_cast<double>(done) / static_cast<double>(pixel_count())));
+    const std::lock_guard lock(mutex_);
+    statistics_.camera_rays += ray_counts.camera - before.camera;
+    statistics_.shadow_rays += ray_counts.shadow - before.shadow;
+    statistics_.specular_rays += ray_counts.specular - before.specular;
+    statistics_.bad_samples += bad;
+    first_bad_ = std::min(first_bad_, first_bad);
+}
+
+/// Marks the tiles that are quiet enough; false once all are.
+bool Job::hush(std::uint32_t passes, std::uint32_t count) {
+    double mean = 0;
+    const std::vector<std::uint32_t> samples = pixel_samples();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (samples[i] > 0) mean += static_cast<double>(sums_.luminance_sum(i)) / samples[i];
+    mean /= static_cast<double>(samples.size());
+    bool more = false;
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        if (!quiet_[i]) quiet_[i] = noise_->quiet(pixels_of(tiles_[i]), passes, count, mean);
+        more = more || !quiet_[i];
+    }
+    return more;
+}
+
+std::vector<std::size_t> Job::pixels_of(const Tile& tile) const {
+    std::vector<std::size_t> pixels;
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) pixels.push_back(film_index(x, y));
+    return pixels;
+}
+
+std::vector<std::uint32_t> Job::pixel_samples() const {
+    std::vector<std::uint32_t> samples(pixel_count());
+    for (std::size_t i = 0; i < tiles_.size(); ++i)
+        for (const std::size_t pixel : pixels_of(tiles_[i])) samples[pixel] = samples_[i];
+    return samples;
+}
+
+void Job::name_bad_pixel() {
+    if (first_bad_ == SIZE_MAX) return;
+    const auto width = static_cast<std::size_t>(crop_[2] - crop_[0]);
+    statistics_.first_bad_pixel = {crop_[0] + static_cast<int>(first_bad_ % width),
+                                   crop_[1] + static_cast<int>(first_bad_ / width)};
+}
+
+}  // namespace
+
+RenderResult render(const CommittedScene& scene, const LightingModule& lighting, const RenderSettings& settings,
+                    Progress& progress) {
+    return Job(scene, lighting, settings, progress).run();
+}
+
+}  // namespace cardioid
