@@ -8,7 +8,7 @@ namespace cardioid::bench {
 namespace {
 
 /// A white surface that faces the eye has this radiance in the middle of the picture.
-constexpr double middle_radiance = 0.8;
+constexpr double middle_radiance = 0.4;
 /// Beyond this distance POV-Ray's light falls off with the square.
 constexpr double fade_distance = 1e-3;
 

@@ -88,8 +88,8 @@ std::uint32_t part(SolidTree& tree, Random& random, const Vec3d& centre, double 
                          {body, add(cylinder({0, 0, 0}, 0.3 * r, 3 * r)), add(ball({-0.8 * r, 0, 0.3 * r}, 0.4 * r))});
 }
 
-/// A tree over a box cut in halves down to single leaves; intersections only between near neighbours, for those of
-/// large halves would leave nothing.
+/// A tree over a box cut in halves down to single leaves; differences and intersections only between near neighbours,
+/// for those of large halves would leave little.
 std::uint32_t grow(SolidTree& tree, Random& random, const Box3d& in, std::uint32_t count) {
     if (count == 1) {
         const Vec3d centre = random.point(in.lo, in.hi), half = in.size() * random(0.5, 0.9);
@@ -102,7 +102,7 @@ std::uint32_t grow(SolidTree& tree, Random& random, const Box3d& in, std::uint32
     const std::uint32_t a = grow(tree, random, low, count / 2), b = grow(tree, random, high, count - count / 2);
     const std::uint32_t dice = random.below(6);
     if (count <= 8 && dice < 2) return tree.add_node(SolidOp::intersect, {a, b});
-    return tree.add_node(dice < 4 ? SolidOp::unite : SolidOp::subtract, {a, b});
+    return tree.add_node(dice < 4 || count > 64 ? SolidOp::unite : SolidOp::subtract, {a, b});
 }
 
 }  // namespace

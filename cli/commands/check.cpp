@@ -39,7 +39,7 @@ int run_check(const std::vector<std::string>& words) {
     SceneOptions options;
     std::string json;
     Arguments arguments("check SCENE [options]",
-                        "Looks for overlapping solids, open meshes, a scene without light, a camera inside a solid, "
+                        "Looks for overlapping solids, open meshes, lights without power, cameras inside solids, "
                         "unknown materials, solids of no size. Exit status 1 where there are any.");
     arguments.text("--json", "FILE", "Write what is found as JSON; - is standard output, in place of the text", json);
     add_scene_options(arguments, options);
@@ -52,8 +52,10 @@ int run_check(const std::vector<std::string>& words) {
     Findings findings;
     find_reader_faults(scene, findings);
     find_open_meshes(scene, findings);
-    find_scene_faults(scene, *registry, findings);
-    find_overlaps(scene, findings);
+    if (const auto committed = commit(scene, *registry, findings)) {
+        find_light_and_camera_faults(scene, *committed, findings);
+        find_overlaps(scene, *committed, findings);
+    }
     if (json != "-") print_text(findings_text(scene, findings));
     if (!json.empty()) write_text(json, findings_json(scene, findings));
     return findings.faults.empty() ? 0 : static_cast<int>(ErrorCode::unequal);

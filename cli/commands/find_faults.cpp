@@ -4,24 +4,19 @@
 
 #include "cli/commands/describe.hpp"
 #include "csg/compile.hpp"
-#include "csg/mesh_repair.hpp"
-#include "rt_core/render/committed_scene.hpp"
+#include "csg/shapes/mesh_repair.hpp"
 
 namespace cardioid::cli {
 namespace {
-
-/// A camera in a scene says that it is meant to be seen as it is; a plain model gets the studio light.
-bool is_plain_model(const Scene& scene) { return scene.cameras.empty() && scene.lights.empty(); }
 
 void find_unlit(const Scene& scene, const CommittedScene& committed, Findings& findings) {
     float power = 0;
     for (const auto& light : committed.lights()) power += max_component(light->power());
     if (power > 0) return;
-    if (is_plain_model(scene))
+    if (scene.lights.empty())
         findings.notes.push_back(scene.file + ": there is no light; the studio light will be used");
     else
-        findings.faults.push_back({"unlit", scene.file + (scene.lights.empty() ? ": the scene has no light"
-                                                                               : ": no light of the scene gives any")});
+        findings.faults.push_back({"unlit", scene.file + ": the scene is unlit: its lights have no power"});
 }
 
 void find_buried_cameras(const Scene& scene, const CommittedScene& committed, Findings& findings) {
@@ -58,15 +53,19 @@ void find_open_meshes(const Scene& scene, Findings& findings) {
     }
 }
 
-void find_scene_faults(const Scene& scene, const Registry& registry, Findings& findings) {
+std::unique_ptr<CommittedScene> commit(const Scene& scene, const Registry& registry, Findings& findings) {
     try {
-        const CommittedScene committed(scene, registry, csg::compile, {.studio = false});
-        find_unlit(scene, committed, findings);
-        find_buried_cameras(scene, committed, findings);
+        return std::make_unique<CommittedScene>(scene, registry, csg::compile, CommitOptions{.studio = false});
     } catch (const Error& error) {
         if (error.code() != ErrorCode::bad_input) throw;
         findings.faults.push_back({"material", error.what()});
+        return nullptr;
     }
+}
+
+void find_light_and_camera_faults(const Scene& scene, const CommittedScene& committed, Findings& findings) {
+    find_unlit(scene, committed, findings);
+    find_buried_cameras(scene, committed, findings);
 }
 
 }  // namespace cardioid::cli

@@ -73,7 +73,7 @@ Arguments::~Arguments() = default;
 void Arguments::group(const std::string& title) { app_->heading = title; }
 
 void Arguments::value(const std::string& names, const std::string& placeholder, const std::string& help,
-                      std::function<void(const std::string&)> take) {
+                      const std::function<void(const std::string&)>& take) {
     const std::string name = names.substr(names.rfind(',') + 1);
     const std::function<void(const std::string&)> checked = [name, placeholder, take](const std::string& text) {
         // CLI11 hands the next word over even where it is an option.

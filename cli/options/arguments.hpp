@@ -20,7 +20,7 @@ public:
     /// An option with one value; `take` throws Error(usage) where it does not understand it. Given twice, the last
     /// counts. `names` as "-s,--size", `placeholder` as "WxH".
     void value(const std::string& names, const std::string& placeholder, const std::string& help,
-               std::function<void(const std::string&)> take);
+               const std::function<void(const std::string&)>& take);
     void text(const std::string& names, const std::string& placeholder, const std::string& help, std::string& to);
     /// An option that may be given many times.
     void list(const std::string& names, const std::string& placeholder, const std::string& help,

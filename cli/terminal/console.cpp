@@ -1,6 +1,7 @@
 #include "cli/terminal/console.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -18,7 +19,7 @@ void put(const std::string& text) { std::fwrite(text.data(), 1, text.size(), std
 
 /// "0:07", "12:30", "3:05:00".
 std::string clock_time(double seconds) {
-    const auto s = static_cast<long>(seconds + 0.5);
+    const long s = std::lround(seconds);
     if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
     return fmt::format("{}:{:02}", s / 60, s % 60);
 }

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "csg/leaves/solvers.hpp"
-#include "csg/profile_boolean.hpp"
+#include "csg/shapes/profile_boolean.hpp"
 
 namespace cardioid::csg {
 namespace {

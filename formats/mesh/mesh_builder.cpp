@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "csg/mesh_repair.hpp"
+#include "csg/shapes/mesh_repair.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace cardioid::formats {

@@ -3,12 +3,12 @@
 #include <array>
 #include <filesystem>
 
-#include "formats/openscad/call_table.hpp"
-#include "formats/openscad/evaluator.hpp"
-#include "formats/openscad/parser.hpp"
+#include "formats/openscad/evaluate/call_table.hpp"
+#include "formats/openscad/evaluate/evaluator.hpp"
 #include "formats/openscad/run_openscad.hpp"
-#include "formats/openscad/scan.hpp"
 #include "formats/openscad/scene_writer.hpp"
+#include "formats/openscad/syntax/parser.hpp"
+#include "formats/openscad/syntax/scan.hpp"
 
 namespace cardioid::formats {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <unordered_set>
 
-#include "formats/openscad/ast.hpp"
-#include "formats/openscad/materials.hpp"
-#include "formats/openscad/printer.hpp"
+#include "formats/openscad/evaluate/materials.hpp"
+#include "formats/openscad/syntax/ast.hpp"
+#include "formats/openscad/syntax/printer.hpp"
 
 namespace cardioid::formats::openscad {
 namespace {

@@ -1,6 +1,6 @@
 #include "formats/openscad/whole_file.hpp"
 
-#include "formats/openscad/call_table.hpp"
+#include "formats/openscad/evaluate/call_table.hpp"
 
 namespace cardioid::formats::openscad {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "formats/openscad/ast.hpp"
+#include "formats/openscad/syntax/ast.hpp"
 
 namespace cardioid::formats::openscad {
 

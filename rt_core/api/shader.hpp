@@ -24,8 +24,8 @@ public:
     [[nodiscard]] virtual Rgb straight_transmittance(const SurfacePoint& /*hit*/, Vec3 /*wo*/) const noexcept {
         return {};
     }
-    /// Whether straight_transmittance() is anywhere more than black; where no material filters, a shadow ray ends at the
-    /// first thing it meets. Whoever overrides the one overrides the other.
+    /// Whether straight_transmittance() is anywhere more than black; where no material filters, a shadow ray ends at
+    /// the first thing it meets. Whoever overrides the one overrides the other.
     [[nodiscard]] virtual bool filters() const noexcept { return false; }
 };
 

@@ -52,6 +52,9 @@ struct Scene {
     std::vector<LightSettings> lights;
     Params photons;  ///< photons(...): parameters of the photon module
     SolidTree solids;
+    /// Of each root of `solids`: the number of the statement at the top of the file that made it. Solids of one
+    /// statement are meant to be one. Empty: each root stands for itself.
+    std::vector<std::uint32_t> statements;
     bool six_digits = true;  ///< numbers were printed with 6 digits, so nearly coincident faces are meant to coincide
     std::vector<std::string> warnings;  ///< file:line:column: text
 };

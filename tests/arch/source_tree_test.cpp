@@ -13,8 +13,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(SourceTree, HasOnlyTheFoldersThatAreAgreedUpon) {
-    const std::set<std::string> agreed{".ci",    "bench",   "cli",     "cmake",   "csg",     "docs", "formats",
-                                       "photon", "rt_core", "samples", "scripts", "shaders", "tests"};
+    const std::set<std::string> agreed{".ci",    "bench",   "cli",     "cmake",   "csg",     "docs",  "formats",
+                                       "photon", "rt_core", "samples", "scripts", "shaders", "share", "tests"};
     for (const std::string& folder : top_folders(CARDIOID_SOURCE_DIR))
         EXPECT_TRUE(agreed.contains(folder)) << folder << "/ needs a reason in docs/decisions/ and its name here";
 }

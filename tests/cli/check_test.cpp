@@ -16,11 +16,12 @@ TEST(Check, FindsEachFaultAndEndsWithOne) {
     for (const Faulty& faulty : std::vector<Faulty>{
              Faulty{"cube(2);\nmultmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,1]]) sphere(1);", "overlap",
                     "a.csg:1 (box, material \"default\") and a.csg:2 (sphere, material \"default\") overlap at"},
+             Faulty{"union() { color([1, 0, 0]) cube(2); color([0, 1, 0]) sphere(1); }", "overlap", "overlap at"},
              Faulty{"half_space([0,0,1], 0);\ncube(1, center = true);", "overlap", "overlap at"},
              Faulty{"polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);",
                     "open_mesh", "the mesh is not closed: 3 open edges, the first at ("},
-             Faulty{"camera([9,9,9], look_at = [0,0,0]); cube(1);", "unlit", "a.csg: the scene has no light"},
-             Faulty{"point_light(intensity = 0); cube(1);", "unlit", "no light of the scene gives any"},
+             Faulty{"point_light(intensity = 0); cube(1);", "unlit",
+                    "a.csg: the scene is unlit: its lights have no power"},
              Faulty{"sun([0,0,-1]); camera([1,1,1], look_at = [5,0,0], name = \"in\"); cube(2);", "camera",
                     "camera \"in\" at (1, 1, 1) is inside a solid"},
              Faulty{"cube([1, 0, 1]);", "reader", "a.csg:1:1: "},
@@ -39,7 +40,9 @@ TEST(Check, FindsEachFaultAndEndsWithOne) {
 TEST(Check, FindsNothingInSoundScenes) {
     const Folder folder;
     for (const char* const scene :
-         {"cube(1);", "cube(1); translate([1, 0, 0]) cube(1); translate([0, 0, 1]) cube([2, 1, 3]);",
+         {"union() { cube(2); sphere(1); } translate([5, 0, 0]) { cube(2); sphere(1); }",
+          "define_material(\"w\", kind = \"dielectric\"); material(\"w\") cube(2); cube(1);", "cube(1);",
+          "cube(1); translate([1, 0, 0]) cube(1); translate([0, 0, 1]) cube([2, 1, 3]);",
           "half_space([0,0,1], 0); translate([0,0,2]) sphere(2);",
           "difference() { cube(4, center = true); sphere(2); } sphere(1);",
           "define_material(\"g\", kind = \"dielectric\"); sun([0,0,-1]);"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "csg/facets.hpp"
+#include "csg/shapes/facets.hpp"
 #include "rt_core/trace/geometry.hpp"
 #include "tests/csg/models.hpp"
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "csg/extrude.hpp"
 #include "csg/leaves/solvers.hpp"
+#include "csg/shapes/extrude.hpp"
 #include "tests/csg/models.hpp"
 
 namespace cardioid::csg {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "csg/bvh/bvh8.hpp"
-#include "csg/facets.hpp"
 #include "csg/leaves/mesh_shape.hpp"
 #include "csg/leaves/solvers.hpp"
+#include "csg/shapes/facets.hpp"
 #include "tests/csg/models.hpp"
 
 namespace cardioid::csg {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "formats/openscad/colours.hpp"
+#include "formats/openscad/evaluate/colours.hpp"
 #include "tests/language/read.hpp"
 
 using namespace cardioid;

@@ -1,9 +1,9 @@
-#include "formats/openscad/parser.hpp"
+#include "formats/openscad/syntax/parser.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "formats/openscad/printer.hpp"
+#include "formats/openscad/syntax/printer.hpp"
 
 using namespace cardioid::formats::openscad;
 

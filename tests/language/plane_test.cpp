@@ -1,4 +1,4 @@
-#include "formats/openscad/plane.hpp"
+#include "formats/openscad/geometry/plane.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "formats/openscad/openscad_format.hpp"
-#include "formats/openscad/parser.hpp"
-#include "formats/openscad/printer.hpp"
+#include "formats/openscad/syntax/parser.hpp"
+#include "formats/openscad/syntax/printer.hpp"
 #include "tests/language/read.hpp"
 
 using namespace cardioid;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "csg/mesh_repair.hpp"
+#include "csg/shapes/mesh_repair.hpp"
 #include "tests/mesh_files/sample_meshes.hpp"
 #include "tests/mesh_files/temporary_file.hpp"
 

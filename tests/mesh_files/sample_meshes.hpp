@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "csg/facets.hpp"
+#include "csg/shapes/facets.hpp"
 
 namespace cardioid::test {
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace cardioid::test;
 
-/// Tries all of these; returns how many were drawn.
+/// Tries all of these: what needs nothing that is to come is drawn, the rest refused by name; returns how many were
+/// drawn.
 int draw_all(const std::vector<fs::path>& programs, const std::vector<std::string>& options) {
     const Folder folder;
     int drawn = 0;
@@ -53,18 +55,21 @@ TEST(Examples, AreDrawnOrNameTheNodeThatIsMissing) {
     EXPECT_GT(draw_all(programs, {"-s", "160x120", "--spp", "4"}), 20);
 }
 
-TEST(Examples, OfTheTestDataEndWithStatusZeroOrThree) {
+TEST(Examples, OfTheTestDataAreDrawnOrRefused) {
     if (!long_tests()) GTEST_SKIP() << "takes minutes: set CARDIOID_LONG_TESTS=1";
     if (!has_openscad()) GTEST_SKIP() << "openscad is not installed";
     const Folder folder;
-    int drawn = 0, refused = 0;
+    int drawn = 0, refused = 0, without_mesh = 0;
     for (const fs::path& program : programs_below("testdata")) {
         const auto csg = evaluated(program, ".csg");
         if (!csg) continue;
         const Outcome outcome = folder.cardioid({csg->string(), "--base-dir", program.parent_path().string(), "-o",
                                                  "picture.png", "-s", "64x48", "--spp", "1", "--progress", "none"});
-        EXPECT_TRUE(outcome.status == 0 || outcome.status == 3) << program << ": " << outcome.err;
-        ++(outcome.status == 0 ? drawn : refused);
+        // Some import a mesh that was left out of the package.
+        const bool no_mesh =
+            outcome.status == 4 && outcome.err.find(".stl: cannot read it: No such") != std::string::npos;
+        EXPECT_TRUE(outcome.status == 0 || outcome.status == 3 || no_mesh) << program << ": " << outcome.err;
+        ++(outcome.status == 0 ? drawn : no_mesh ? without_mesh : refused);
     }
-    fmt::print("{} drawn, {} refused\n", drawn, refused);
+    fmt::print("{} drawn, {} refused, {} import what is not there\n", drawn, refused, without_mesh);
 }

@@ -169,3 +169,11 @@ TEST(Volumes, OfRealModelsAreOpenScads) {
     else
         EXPECT_GT(tally.agree, 50);
 }
+
+TEST(Volumes, AreSeenToBeTwoPercentWrong) {
+    const std::filesystem::path program = openscad_share / "examples/Old/example003.scad";
+    if (!has_openscad() || !std::filesystem::exists(program)) GTEST_SKIP() << "openscad is not installed";
+    const csg::VolumeEstimate ours = measure(read_evaluated(*evaluated(program, ".csg"), program)).volume;
+    EXPECT_NEAR(ours.volume, 23750, 4 * ours.sigma);
+    EXPECT_GT(std::abs(ours.volume - 1.02 * 23750), 4 * ours.sigma);
+}

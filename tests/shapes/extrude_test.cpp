@@ -1,11 +1,11 @@
-#include "csg/extrude.hpp"
+#include "csg/shapes/extrude.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
 
-#include "csg/mesh_repair.hpp"
-#include "csg/profile_boolean.hpp"
+#include "csg/shapes/mesh_repair.hpp"
+#include "csg/shapes/profile_boolean.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace {

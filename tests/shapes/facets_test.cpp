@@ -1,10 +1,10 @@
-#include "csg/facets.hpp"
+#include "csg/shapes/facets.hpp"
 
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "csg/degrees.hpp"
-#include "csg/mesh_repair.hpp"
+#include "csg/shapes/degrees.hpp"
+#include "csg/shapes/mesh_repair.hpp"
 
 namespace {
 

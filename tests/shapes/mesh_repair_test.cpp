@@ -1,8 +1,8 @@
-#include "csg/mesh_repair.hpp"
+#include "csg/shapes/mesh_repair.hpp"
 
 #include <gtest/gtest.h>
 
-#include "csg/facets.hpp"
+#include "csg/shapes/facets.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace {

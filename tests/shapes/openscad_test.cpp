@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "csg/extrude.hpp"
-#include "csg/mesh_repair.hpp"
-#include "csg/profile_boolean.hpp"
+#include "csg/shapes/extrude.hpp"
+#include "csg/shapes/mesh_repair.hpp"
+#include "csg/shapes/profile_boolean.hpp"
 
 // The installed OpenSCAD 2021.01 is the reference: same volume to its six digits, same number of triangles.
 namespace {

@@ -1,9 +1,9 @@
-#include "csg/profile_boolean.hpp"
+#include "csg/shapes/profile_boolean.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
 
-#include "csg/triangulate.hpp"
+#include "csg/shapes/triangulate.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace {

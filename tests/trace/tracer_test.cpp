@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "csg/compile.hpp"
-#include "csg/facets.hpp"
+#include "csg/shapes/facets.hpp"
 #include "tests/csg/models.hpp"
 
 namespace cardioid {
