@@ -22,7 +22,7 @@ target_compile_features(cardioid_settings INTERFACE cxx_std_20)
 target_include_directories(cardioid_settings INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/cardioid>)
 # Contraction off: the same picture from gcc and clang, with or without FMA.
-target_compile_options(cardioid_settings INTERFACE -ffp-contract=off -fno-math-errno -fPIC
+target_compile_options(cardioid_settings INTERFACE -ffp-contract=off -fno-math-errno
                        $<$<BOOL:${CARDIOID_NATIVE}>:-march=native>)
 target_compile_definitions(cardioid_settings INTERFACE CARDIOID_VERSION="${PROJECT_VERSION}"
                            $<$<OR:$<CONFIG:Debug>,$<BOOL:${CARDIOID_ASSERTIONS}>>:CARDIOID_ASSERTIONS>)

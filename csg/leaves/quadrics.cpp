@@ -26,42 +26,12 @@ Roots quadratic_roots(double a, double b, double c) {
     return {t0, t1, true};
 }
 
-/// Narrows `span` to lo <= o + t d <= hi of one coordinate.
-void clip(Span& span, double o, double d, double lo, double hi, std::uint32_t face_lo, std::uint32_t face_hi) {
-    if (d == 0) {
-        if (o <= lo || o >= hi) span = no_span;
-        return;
-    }
-    double t0 = (lo - o) / d, t1 = (hi - o) / d;
-    if (d < 0) std::swap(t0, t1), std::swap(face_lo, face_hi);
-    if (t0 > span.t0) span.t0 = t0, span.face0 = face_lo;
-    if (t1 < span.t1) span.t1 = t1, span.face1 = face_hi;
-}
-
 /// Distance along the line to its point closest to p; solving from there keeps far origins exact.
 double closest_approach(Vec3d p, Vec3d o, Vec3d d) { return dot(p - o, d) / dot(d, d); }
 
 }  // namespace
 
-Span ball_span(Vec3d centre, double radius, Vec3d o, Vec3d d) {
-    const double dd = dot(d, d);
-    const double middle = dot(centre - o, d) / dd;
-    const Vec3d closest = o + d * middle - centre;
-    const double half_square = (radius * radius - dot(closest, closest)) / dd;
-    if (!(half_square > 0)) return no_span;
-    const double half = std::sqrt(half_square);
-    return {middle - half, middle + half};
-}
-
 Span unit_sphere_span(Vec3d o, Vec3d d) { return ball_span({0, 0, 0}, 1, o, d); }
-
-Span axis_box_span(Vec3d lo, Vec3d hi, Vec3d o, Vec3d d) {
-    Span span{-infinity, infinity};
-    clip(span, o.x, d.x, lo.x, hi.x, 0, 1);
-    clip(span, o.y, d.y, lo.y, hi.y, 2, 3);
-    clip(span, o.z, d.z, lo.z, hi.z, 4, 5);
-    return span;
-}
 
 Span half_space_span(Vec3d o, Vec3d d) {
     if (d.z == 0) return o.z <= 0 ? Span{-infinity, infinity} : no_span;

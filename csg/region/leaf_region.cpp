@@ -1,5 +1,7 @@
 #include "csg/region/leaf_region.hpp"
 
+#include "csg/leaves/solvers.hpp"
+
 namespace cardioid::csg {
 
 LeafRegion::LeafRegion(const SolvedLeaf& leaf, const Box3d& bounds, const Tolerances& tolerances)
@@ -14,19 +16,30 @@ const EventList& LeafRegion::events(const Ray& ray) const noexcept {
     return list;
 }
 
-bool LeafRegion::first_boundary(const Ray& ray, std::uint32_t, Hit& hit) const noexcept {
+bool LeafRegion::first_of(const Event* begin, const Event* end, const Ray& ray, Hit& hit) const noexcept {
     const double exact = exact_along(*tolerances_, ray);
     // An event at the origin is the surface the ray leaves: after it the ray is on the other side, and that is all.
-    for (const Event& event : events(ray)) {
-        if (event.t <= 0 || starts_here(ray, *tolerances_, exact, leaf_, event)) continue;
-        if (event.t >= ray.t_max) return false;
-        const Vec3d n = normal(leaf_, event.face, ray.o + ray.d * event.t);
-        hit.t = event.t;
-        hit.ng = Vec3(event.entering == (dot(n, ray.d) < 0) ? n : -n);
+    for (const Event* event = begin; event != end; ++event) {
+        if (event->t <= 0 || starts_here(ray, *tolerances_, exact, leaf_, *event)) continue;
+        if (event->t >= ray.t_max) return false;
+        const Vec3d n = normal(leaf_, event->face, ray.o + ray.d * event->t);
+        hit.t = event->t;
+        hit.ng = Vec3(event->entering == (dot(n, ray.d) < 0) ? n : -n);
         hit.id.face = hit.leaf = 0;
         return true;
     }
     return false;
+}
+
+bool LeafRegion::first_boundary(const Ray& ray, std::uint32_t, Hit& hit) const noexcept {
+    if (leaf_.solver == Solver::ball) {  // thousands of them are common, and a call and a list cost as much as the rest
+        const Span span = ball_span(leaf_.t, leaf_.a, ray.o, ray.d);
+        if (span.empty() || span.t1 <= 0 || span.t0 >= ray.t_max) return false;
+        const Event both[2] = {make_event(span.t0, 0, span.face0, true), make_event(span.t1, 0, span.face1, false)};
+        return first_of(both, both + 2, ray, hit);
+    }
+    const EventList& list = events(ray);
+    return first_of(list.data(), list.data() + list.size(), ray, hit);
 }
 
 Sides LeafRegion::sides(Vec3d p, Vec3d n) const noexcept {

@@ -18,6 +18,7 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const noexcept override;
 
 private:
+    [[nodiscard]] bool first_of(const Event* begin, const Event* end, const Ray& ray, Hit& hit) const noexcept;
     /// The events along the ray, in the thread's buffer.
     [[nodiscard]] const EventList& events(const Ray& ray) const noexcept;
 

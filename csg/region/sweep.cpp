@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/leaves/solvers.hpp"
+
 namespace cardioid::csg {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool later(const Event& a, const Event& b) { return a.t > b.t || (a.t == b.t && a.leaf > b.leaf); }
 
 /// Where the line meets the box; t0 > t1 where it does not.
 std::pair<double, double> box_interval(const Box3d& box, const Vec3d& o, const Vec3d& d) {
@@ -69,32 +69,50 @@ Sweep::Sweep(const SolidRegion& region, const Ray& ray)
     start();
 }
 
+/// Without an event of a part the ray stays outside, whatever the cutters do.
 void Sweep::solve_all() noexcept {
     const auto count = static_cast<std::uint32_t>(region_.leaves().size());
+    const auto& inputs = region_.gates().inputs;
     const std::uint32_t required = region_.gates().required;
     if (required != Gates::none) {
         solve(required);
         if (buffers_.pending.empty()) return;
     }
     for (std::uint32_t i = 0; i < count; ++i)
-        if (i != required) solve(i);
+        if (!inputs[i].negated && i != required) solve(i);
+    if (buffers_.pending.empty()) return;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (inputs[i].negated) solve(i);
 }
 
-/// Solves one leaf: its events behind the sweep flip their gates at once, for the root is false wherever that matters.
-void Sweep::solve(std::uint32_t input) noexcept {
-    EventList& fresh = buffers_.fresh;
+/// Files an event by its distance; one behind the sweep flips its gates at once, for the root is false wherever that
+/// matters.
+inline void Sweep::take(double t, std::uint32_t input, std::uint32_t face, bool entering) noexcept {
+    const Event event = make_event(t, input, face, entering);
+    if (t < now_) return flip(event);
     std::vector<Event>& pending = buffers_.pending;
-    fresh.clear();
-    append_events(region_.leaves()[input], input, ray_.o, ray_.d, fresh);
-    for (const Event& event : fresh) {
-        if (event.t < now_) {
-            flip(event);
-            continue;
-        }
-        pending.push_back(event);
-        for (std::size_t i = pending.size() - 1; i > 0 && later(event, pending[i - 1]); --i)
-            std::swap(pending[i], pending[i - 1]);
+    std::size_t i = pending.size();
+    pending.emplace_back();
+    for (; i > 0 && (t > pending[i - 1].t || (t == pending[i - 1].t && input > pending[i - 1].leaf)); --i)
+        pending[i] = pending[i - 1];
+    pending[i] = event;
+}
+
+/// Solves one leaf, the most common kinds without a call.
+void Sweep::solve(std::uint32_t input) noexcept {
+    const SolvedLeaf& leaf = region_.leaves()[input];
+    if (leaf.solver == Solver::ball || leaf.solver == Solver::axis_box) {
+        const Span span = leaf.solver == Solver::ball ? ball_span(leaf.t, leaf.a, ray_.o, ray_.d)
+                                                      : axis_box_span(leaf.t, leaf.row[0], ray_.o, ray_.d);
+        if (span.empty()) return;
+        take(span.t0, input, span.face0, true);
+        take(span.t1, input, span.face1, false);
+        return;
     }
+    EventList& fresh = buffers_.fresh;
+    fresh.clear();
+    append_events(leaf, input, ray_.o, ray_.d, fresh);
+    for (const Event& event : fresh) take(event.t, input, event.face, event.entering != 0);
 }
 
 /// Visits the nearest node of the hierarchy.
@@ -111,9 +129,12 @@ void Sweep::visit() noexcept {
     const BvhNode& node = region_.bvh().node(child);
     for (unsigned mask = hit_boxes(node, box_ray_, 0, node_end_, entry); mask; mask &= mask - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(mask));
-        nodes.push_back({entry[i], node.child[i]});
-        for (std::size_t k = nodes.size() - 1; k > 0 && nodes[k].t > nodes[k - 1].t; --k)
-            std::swap(nodes[k], nodes[k - 1]);
+        const float t = entry[i];
+        const std::uint32_t below = node.child[i];
+        std::size_t k = nodes.size();
+        nodes.emplace_back();
+        for (; k > 0 && t > nodes[k - 1].t; --k) nodes[k] = nodes[k - 1];
+        nodes[k] = {t, below};
     }
 }
 

@@ -26,6 +26,7 @@ private:
 
     void solve_all() noexcept;
     void solve(std::uint32_t input) noexcept;
+    void take(double t, std::uint32_t input, std::uint32_t face, bool entering) noexcept;
     void visit() noexcept;
     void visit_until(double t) noexcept;
     void start() noexcept;

@@ -35,7 +35,7 @@ struct Ray {
 
 /// The nearest boundary along a ray, as little as is needed to go on; World::surface tells the rest.
 struct Hit {
-    double t = std::numeric_limits<double>::infinity();
+    double t = std::numeric_limits<double>::infinity();  ///< of a triangle in single precision only
     FaceId id;
     Vec3 ng;                 ///< outward geometric normal of the solid, unit length
     std::uint32_t leaf = 0;  ///< of the region: who owns the face, tells the material

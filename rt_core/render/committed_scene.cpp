@@ -168,7 +168,9 @@ Rgb CommittedScene::transmittance(const Ray& ray) const noexcept {
     return {};
 }
 
-SurfacePoint CommittedScene::surface(const Ray& ray, const Hit& hit) const noexcept {
+SurfacePoint CommittedScene::surface(const Ray& ray, const Hit& found) const noexcept {
+    Hit hit = found;
+    tracer_->refine(ray, hit);
     SurfacePoint point;
     point.p = ray.o + ray.d * hit.t;
     point.ng = hit.ng;

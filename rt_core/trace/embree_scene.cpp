@@ -1,6 +1,7 @@
 #include "rt_core/trace/embree_scene.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "rt_core/api/error.hpp"
@@ -37,7 +38,8 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
 /// What a query carries through Embree into the callback of the solids.
 struct EmbreeScene::Query {
     embree::Context context;  // first, so that the context's address is the query's
-    const Ray* ray;
+    explicit Query(const Ray& r, double tie_) : ray(r), tie(tie_) { embree::init(context); }
+    Ray ray;  ///< its end comes nearer as boundaries are found
     double tie;
     Hit best;
 };
@@ -51,7 +53,7 @@ EmbreeScene::EmbreeScene(std::vector<Solid> solids, std::span<const TriangleSurf
     rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
     scene_ = rtcNewScene(device_);
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    add_solids();
+    if (!bounded_.empty()) add_solids();
     for (const TriangleSurface& surface : surfaces) add_surface(surface);
     rtcCommitScene(scene_);
     const RTCError error = rtcGetDeviceError(device_);
@@ -91,7 +93,7 @@ void EmbreeScene::add_solids() {
         const auto& self = *static_cast<const EmbreeScene*>(a->geometryUserPtr);
         const Solid& solid = self.bounded_[a->primID];
         Hit hit;
-        if (solid.region->first_boundary(*reinterpret_cast<const Query*>(a->context)->ray, solid.id, hit))
+        if (solid.region->first_boundary(reinterpret_cast<const Query*>(a->context)->ray, solid.id, hit))
             reinterpret_cast<RTCRay*>(a->ray)->tfar = -std::numeric_limits<float>::infinity();
     });
     rtcCommitGeometry(geometry);
@@ -112,6 +114,7 @@ void EmbreeScene::add_surface(const TriangleSurface& surface) {
                                surface.mesh->vertices.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, surface.mesh->triangles.data(), 0,
                                12, surface.mesh->triangles.size());
+    corners_.push_back({v.data(), surface.mesh->triangles.data(), surface.to_world.determinant() < 0});
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(vertices_.size()));
     rtcReleaseGeometry(geometry);
@@ -120,76 +123,82 @@ void EmbreeScene::add_surface(const TriangleSurface& surface) {
 /// Asks one solid for a boundary nearer than the best; near ties go to the later solid, whatever the order of the
 /// visits.
 void EmbreeScene::visit(const Solid& solid, Query& query) const noexcept {
-    Ray ray = *query.ray;
-    ray.t_max = std::min(ray.t_max, query.best.t + query.tie);
     Hit hit;
-    if (!solid.region->first_boundary(ray, solid.id, hit)) return;
+    if (!solid.region->first_boundary(query.ray, solid.id, hit)) return;
     if (query.best.found()) {
         const bool tied = std::abs(hit.t - query.best.t) <= query.tie;
         if (tied ? solid.id < query.best.id.region : hit.t > query.best.t) return;
     }
     hit.id.region = solid.id;
     query.best = hit;
+    query.ray.t_max = std::min(query.ray.t_max, hit.t + query.tie);
 }
 
-RTCRay EmbreeScene::embree_ray(const Ray& ray) const noexcept {
+inline void EmbreeScene::embree_ray(const Ray& ray, RTCRay& r) const noexcept {
     Vec3d o = ray.o;
     if (ray.from.region >= first_surface_id_ && ray.from.region < first_surface_id_ + surfaces_.size()) {
         const double lift = float_lift * (max_component(abs(o)) + 1e-3 * scale_);
         o += Vec3d(ray.from_ng) * std::copysign(lift, dot(Vec3d(ray.from_ng), ray.d));
     }
-    RTCRay r{};
-    r.org_x = static_cast<float>(o.x), r.org_y = static_cast<float>(o.y), r.org_z = static_cast<float>(o.z);
-    r.dir_x = static_cast<float>(ray.d.x), r.dir_y = static_cast<float>(ray.d.y), r.dir_z = static_cast<float>(ray.d.z);
-    r.tnear = 0;
+    // Stored in fours, as Embree reads them: a load that spans several stores waits for all of them.
+    using Four = float __attribute__((vector_size(16)));
+    const Four origin{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0};
+    const Four direction{static_cast<float>(ray.d.x), static_cast<float>(ray.d.y), static_cast<float>(ray.d.z), 0};
+    std::memcpy(&r.org_x, &origin, sizeof origin);
+    std::memcpy(&r.dir_x, &direction, sizeof direction);
     r.tfar = static_cast<float>(ray.t_max);
-    r.mask = ~0U;
-    return r;
+    r.mask = ~0U, r.id = 0, r.flags = 0;
 }
 
-Vec3d EmbreeScene::vertex(std::uint32_t surface, std::uint32_t index) const noexcept {
-    const float* v = vertices_[surface].data() + std::size_t{3} * index;
-    return {v[0], v[1], v[2]};
-}
+namespace {
 
-/// Distance and normal of a triangle's hit again in double precision, on the plane of the float vertices.
-Hit EmbreeScene::triangle_hit(const RTCRayHit& found, const Ray& ray) const noexcept {
-    const std::uint32_t surface = found.hit.geomID - 1;
-    const auto& corners = surfaces_[surface].mesh->triangles[found.hit.primID];
-    const Vec3d a = vertex(surface, corners[0]);
-    Vec3d n = cross(vertex(surface, corners[1]) - a, vertex(surface, corners[2]) - a);
+Hit triangle_hit(const RTCRayHit& found, std::uint32_t id, bool mirrored) {
     Hit hit;
-    hit.t = dot(a - ray.o, n) / dot(ray.d, n);
-    if (!(hit.t > 0 && std::abs(hit.t - static_cast<double>(found.ray.tfar)) < 1e-3 * hit.t + 1e-6 * scale_))
-        hit.t = static_cast<double>(found.ray.tfar);  // seen edge-on
-    if (surfaces_[surface].to_world.determinant() < 0) n = -n;
-    hit.ng = Vec3(normalize(n));
-    hit.id = {first_surface_id_ + surface, found.hit.primID};
+    hit.t = static_cast<double>(found.ray.tfar);
+    const Vec3 n = normalize(Vec3(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z));
+    hit.ng = mirrored ? -n : n;
+    hit.id = {id, found.hit.primID};
     hit.uv = {found.hit.u, found.hit.v};
     return hit;
 }
 
+}  // namespace
+
+void EmbreeScene::refine(const Ray& ray, Hit& hit) const noexcept {
+    const Corners& of = corners_[hit.id.region - first_surface_id_];
+    const auto vertex = [&](std::size_t i) {
+        const float* v = of.vertices + std::size_t{3} * of.triangles[hit.id.face][i];
+        return Vec3d(v[0], v[1], v[2]);
+    };
+    const Vec3d a = vertex(0), n = cross(vertex(1) - a, vertex(2) - a);
+    const double t = dot(a - ray.o, n) / dot(ray.d, n);
+    // Seen edge-on the plane says nothing about the distance.
+    if (!(t > 0 && std::abs(t - hit.t) < 1e-3 * t + 1e-6 * scale_)) return;
+    hit.t = t;
+    hit.ng = Vec3(normalize(of.mirrored ? -n : n));
+}
+
 Hit EmbreeScene::intersect(const Ray& ray) const noexcept {
-    Query query{.context = {}, .ray = &ray, .tie = tie_tolerance * (scale_ + max_component(abs(ray.o))), .best = {}};
-    embree::init(query.context);
+    Query query(ray, tie_tolerance * (scale_ + max_component(abs(ray.o))));
     for (const Solid& solid : unbounded_) visit(solid, query);
-    RTCRayHit found{};
-    found.ray = embree_ray(ray);
+    RTCRayHit found;
+    embree_ray(ray, found.ray);
     if (query.best.found()) found.ray.tfar = rounded_up(query.best.t);
-    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(scene_, query.context, found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID || found.hit.geomID == solids_geometry) return query.best;
-    const Hit triangle = triangle_hit(found, ray);
-    return query.best.found() && query.best.t <= triangle.t ? query.best : triangle;
+    if (query.best.found() && query.best.t <= static_cast<double>(found.ray.tfar)) return query.best;
+    const std::uint32_t surface = found.hit.geomID - 1;
+    return triangle_hit(found, first_surface_id_ + surface, corners_[surface].mirrored);
 }
 
 bool EmbreeScene::occluded(const Ray& ray) const noexcept {
     Hit hit;
     for (const Solid& solid : unbounded_)
         if (solid.region->first_boundary(ray, solid.id, hit)) return true;
-    Query query{.context = {}, .ray = &ray, .tie = 0, .best = {}};
-    embree::init(query.context);
-    RTCRay r = embree_ray(ray);
+    Query query(ray, 0);
+    RTCRay r;
+    embree_ray(ray, r);
     embree::occluded(scene_, query.context, r);
     return r.tfar < 0;
 }

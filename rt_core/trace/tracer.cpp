@@ -30,6 +30,10 @@ std::size_t Tracer::first_lamp() const noexcept { return geometry_.regions.size(
 Hit Tracer::intersect(const Ray& ray) const noexcept { return embree_->intersect(ray); }
 bool Tracer::occluded(const Ray& ray) const noexcept { return embree_->occluded(ray); }
 
+void Tracer::refine(const Ray& ray, Hit& hit) const noexcept {
+    if (!is_region(hit.id.region) && lamp(hit.id.region) < 0) embree_->refine(ray, hit);
+}
+
 std::int32_t Tracer::lamp(std::uint32_t id) const noexcept {
     return id != FaceId::none && id >= first_lamp() ? static_cast<std::int32_t>(id - first_lamp()) : -1;
 }

@@ -31,6 +31,8 @@ public:
 
     [[nodiscard]] Hit intersect(const Ray& ray) const noexcept;
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
+    /// Distance and normal of a hit in double precision: those of solids are already, triangles are met in single.
+    void refine(const Ray& ray, Hit& hit) const noexcept;
 
     [[nodiscard]] std::span<const std::unique_ptr<Region>> regions() const noexcept { return geometry_.regions; }
     [[nodiscard]] std::span<const TriangleSurface> surfaces() const noexcept { return geometry_.surfaces; }

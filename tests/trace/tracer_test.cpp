@@ -108,8 +108,9 @@ TEST(Tracer, ARayThatLeavesAConvexMeshMeetsItNoMore) {
         for (int i = 0; i < 50000; ++i) {
             const Vec3d d = random.direction(), o = (Vec3d{3, 4, 5} + random.point(-1, 1) - d * 10.0) * size;
             const Ray ray{o, d, 1e12, {}, {}};
-            const Hit hit = tracer.intersect(ray);
+            Hit hit = tracer.intersect(ray);
             if (!hit.found()) continue;
+            tracer.refine(ray, hit);
             ++hits;
             // Reflected about the facet, and along it but for a little.
             const Vec3d n(hit.ng);
@@ -121,7 +122,7 @@ TEST(Tracer, ARayThatLeavesAConvexMeshMeetsItNoMore) {
     }
 }
 
-TEST(Tracer, TrianglesAreMetInDoublePrecision) {
+TEST(Tracer, PlacesOnTrianglesAreRefinedToDoublePrecision) {
     Geometry geometry;
     TriangleMesh square;
     square.vertices = {{-1e3, -1e3, 0}, {1e3, -1e3, 0}, {1e3, 1e3, 0}, {-1e3, 1e3, 0}};
@@ -132,8 +133,9 @@ TEST(Tracer, TrianglesAreMetInDoublePrecision) {
     for (int i = 0; i < 1000; ++i) {
         const Vec3d o{random(-100, 100), random(-100, 100), 333.3},
             d = normalize(Vec3d{random(-1, 1), random(-1, 1), -1});
-        const Hit hit = tracer.intersect({o, d, 1e12, {}, {}});
+        Hit hit = tracer.intersect({o, d, 1e12, {}, {}});
         ASSERT_TRUE(hit.found());
+        tracer.refine({o, d, 1e12, {}, {}}, hit);
         EXPECT_NEAR((o + d * hit.t).z, 0, 1e-12);
         EXPECT_EQ(hit.ng, Vec3(0, 0, 1));
     }
