@@ -11,6 +11,7 @@ install(DIRECTORY rt_core/api rt_core/math rt_core/scene
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
 install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES share/cardioid.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/cardioid)
 
 set_target_properties(cardioid_api PROPERTIES EXPORT_NAME api)
 set_target_properties(cardioid_settings PROPERTIES EXPORT_NAME settings)

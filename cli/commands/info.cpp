@@ -63,8 +63,8 @@ Json scene_json(const Scene& scene) {
               {"meshes_closed", closed}};
     csg::VolumeEstimate volume;
     if (const auto whole = csg::compile_whole(scene.solids, scene.six_digits)) {
-        const Box3d box = whole->bounds();
-        json["bounds"] = {vector(box.lo), vector(box.hi)};
+        const Box3d all = whole->bounds(), box = all.bounded() ? all : bounded_box(csg::compile(scene, {}));
+        if (!box.empty()) json["bounds"] = {vector(box.lo), vector(box.hi)};
         volume = measure(*whole);
     }
     json["volume"] = number(volume.volume);
@@ -82,9 +82,7 @@ std::string joined(const Json& list, const std::string& none) {
 
 std::string coordinates(const Json& v) {
     std::string text;
-    for (const Json& x : v)
-        text +=
-            fmt::format("{}{}", text.empty() ? "" : " ", x.is_null() ? "inf" : fmt::format("{:.6g}", x.get<double>()));
+    for (const Json& x : v) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", x.get<double>());
     return text;
 }
 
@@ -96,7 +94,8 @@ std::string geometry_text(const Json& json) {
                                    json["solids"].get<std::size_t>(), leaves.empty() ? "no leaves" : leaves);
     if (json["triangles"] > 0) text += fmt::format("triangles: {}\n", json["triangles"].get<std::size_t>());
     if (json.contains("bounds"))
-        text += fmt::format("bounds: {} to {}\n", coordinates(json["bounds"][0]), coordinates(json["bounds"][1]));
+        text += fmt::format("bounds: {} to {}{}\n", coordinates(json["bounds"][0]), coordinates(json["bounds"][1]),
+                            json["volume"].is_null() ? ", of what is bounded" : "");
     if (json["volume"].is_null()) return text + "volume: unbounded\n";
     return text + fmt::format("volume: {:.8g} +- {:.2g}{}\n", json["volume"].get<double>(),
                               json["volume_standard_error"].get<double>(),

@@ -40,10 +40,7 @@ void check_outputs(const RenderOptions& options) {
 CompileSolids measuring_compiler(Box3d& model) {
     return [&model](const Scene& scene, const std::vector<bool>& transparent) {
         Geometry geometry = csg::compile(scene, transparent);
-        for (const auto& region : geometry.regions)
-            if (const Box3d box = region->bounds(); box.bounded()) model.include(box);
-        for (const TriangleSurface& surface : geometry.surfaces)
-            for (const Vec3d v : surface.mesh->vertices) model.include(surface.to_world.point(v));
+        model.include(bounded_box(geometry));
         return geometry;
     };
 }

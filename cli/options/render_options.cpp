@@ -116,6 +116,7 @@ void check(const RenderOptions& o) {
     exclude(o.quiet, o.verbose, "-q and -v");
     exclude(!o.view.empty(), !o.layers.empty(), "--view and --aov");
     exclude(!o.save_map.empty(), !o.load_map.empty(), "--save-map and --load-map");
+    if (!o.stats.empty() && o.stats == o.output) throw Error(ErrorCode::usage, "--stats and -o name the same file");
     if (o.target && !o.eye) throw Error(ErrorCode::usage, "--target needs --eye");
     if (!o.photons.empty() && o.photons != "true")
         to_integer("--photons", o.photons, 1, std::numeric_limits<std::int64_t>::max());

@@ -56,22 +56,23 @@ Span convex_span(const std::vector<Plane>& planes, Vec3d o, Vec3d d) {
 }
 
 Span cone_span(double a, double b, Vec3d o, Vec3d d) {
-    Span slab{-infinity, infinity};
-    clip(slab, o.z, d.z, 0, 1, 1, 2);
-    if (slab.empty()) return no_span;
     const double middle = closest_approach({0, 0, 0.5}, o, d);
     const Vec3d p = o + d * middle;
     const double slope = b - a, radius = a + slope * p.z, dr = slope * d.z;
     const double qa = d.x * d.x + d.y * d.y - dr * dr;
     const double qb = p.x * d.x + p.y * d.y - radius * dr;
     const double qc = p.x * p.x + p.y * p.y - radius * radius;
+    const double flat = 1e-14 * (d.x * d.x + d.y * d.y + dr * dr);
+    if (qa > flat && qb * qb <= qa * qc) return no_span;  // passes by, which is what most lines do
+    Span slab{-infinity, infinity};
+    clip(slab, o.z, d.z, 0, 1, 1, 2);
+    if (slab.empty()) return no_span;
     const auto intersected = [&](double t0, double t1) {
         Span s = slab;
         if (t0 + middle > s.t0) s.t0 = t0 + middle, s.face0 = 0;
         if (t1 + middle < s.t1) s.t1 = t1 + middle, s.face1 = 0;
         return s;
     };
-    const double flat = 1e-14 * (d.x * d.x + d.y * d.y + dr * dr);
     if (std::abs(qa) <= flat) {  // parallel to the side, or along the axis
         if (qb == 0) return qc < 0 ? slab : no_span;
         const double t = -qc / (2 * qb);

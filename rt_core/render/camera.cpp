@@ -1,5 +1,6 @@
 #include "rt_core/render/camera.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "rt_core/render/renderer.hpp"
@@ -13,6 +14,8 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double fitted_share = 0.94;
 /// Sine of the angle between up and the view below which up says nothing.
 constexpr double smallest_up = 1e-6;
+/// What a camera may stand or reach away: Embree takes origins of rays up to 1.8e18.
+constexpr double farthest_coordinate = 1e15;
 
 [[noreturn]] void fail(const CameraSettings& camera, const std::string& what) {
     throw Error(ErrorCode::bad_input, "camera \"" + camera.name + "\": " + what);
@@ -30,6 +33,9 @@ Vec3d right_of(Vec3d forward, Vec3d up) {
 void check(const CameraSettings& camera) {
     for (const Vec3d v : {camera.eye, camera.look_at, camera.up})
         if (!is_finite(v)) fail(camera, "a coordinate is not finite");
+    const double farthest = std::max({max_component(abs(camera.eye)), max_component(abs(camera.look_at)),
+                                      camera.lens_radius, camera.focus, camera.width});
+    if (farthest > farthest_coordinate) fail(camera, "a coordinate or length is beyond 1e15");
     if (!(length(camera.look_at - camera.eye) > 0)) fail(camera, "eye and look_at are the same point");
     if (camera.projection == CameraSettings::Projection::orthographic) {
         if (!(camera.width > 0) || !std::isfinite(camera.width)) fail(camera, "width must be above 0");

@@ -23,18 +23,9 @@ std::vector<bool> transparent(std::span<const Material> materials) {
     return out;
 }
 
-Box3d bounds_of(const Geometry& geometry) {
-    Box3d box;
-    for (const auto& region : geometry.regions)
-        if (region->bounds().bounded()) box.include(region->bounds());
-    for (const TriangleSurface& surface : geometry.surfaces)
-        for (const Vec3d v : surface.mesh->vertices) box.include(surface.to_world.point(v));
-    return box;
-}
-
 /// Everything below a plane just under the model, made of the last material.
 Geometry ground_under(const Geometry& model, const CompileSolids& compile, const std::vector<bool>& transparent) {
-    const Box3d box = bounds_of(model);
+    const Box3d box = bounded_box(model);
     Scene ground;
     Leaf leaf;
     leaf.kind = LeafKind::half_space;

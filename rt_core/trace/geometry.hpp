@@ -21,4 +21,7 @@ struct Geometry {
     std::vector<std::shared_ptr<const void>> shared;  ///< what regions point to
 };
 
+/// Box around all that is bounded; a solid without end (a ground) does not count.
+Box3d bounded_box(const Geometry& geometry);
+
 }  // namespace cardioid

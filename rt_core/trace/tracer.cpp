@@ -7,19 +7,18 @@ namespace cardioid {
 
 Tracer::~Tracer() = default;
 
-Tracer::Tracer(Geometry geometry, const std::vector<LampShape>& lamps) : geometry_(std::move(geometry)) {
+Tracer::Tracer(Geometry geometry, const std::vector<LampShape>& lamps)
+    : geometry_(std::move(geometry)), bounds_(bounded_box(geometry_)) {
     std::vector<EmbreeScene::Solid> solids;
     const auto add = [&](const Region& region, std::size_t id) {
         solids.push_back({&region, static_cast<std::uint32_t>(id)});
-        if (region.bounds().bounded()) bounds_.include(region.bounds());
     };
     for (std::size_t i = 0; i < geometry_.regions.size(); ++i) add(*geometry_.regions[i], i);
     for (const LampShape& lamp : lamps) {
         lamps_.push_back(std::make_unique<LampRegion>(lamp));
         add(*lamps_.back(), first_lamp() + lamps_.size() - 1);
+        bounds_.include(lamps_.back()->bounds());
     }
-    for (const TriangleSurface& surface : geometry_.surfaces)
-        for (const Vec3d& v : surface.mesh->vertices) bounds_.include(surface.to_world.point(v));
     embree_ = std::make_unique<EmbreeScene>(std::move(solids), geometry_.surfaces,
                                             static_cast<std::uint32_t>(geometry_.regions.size()),
                                             bounds_.empty() ? 1 : bounds_.diagonal());

@@ -50,6 +50,7 @@ TEST(WrongUsage, OfRenderEndsWithTwoAndOneLineThatNamesTheMistake) {
                   Wrong{{"a.csg", "--eye", "1,2"}, "--eye: found \"1,2\", wanted three numbers x,y,z"},
                   Wrong{{"a.csg", "--eye", "1,2,nan"}, "--eye: found \"1,2,nan\""},
                   Wrong{{"a.csg", "--target", "1,2,3"}, "--target needs --eye"},
+                  Wrong{{"a.csg", "-o", "b.png", "--stats", "b.png"}, "--stats and -o name the same file"},
                   Wrong{{"a.csg", "--eye", "1,2,3", "--target", "1,2,3"}, "the same point"},
                   Wrong{{"a.csg", "-a", "3", "--eye", "1,2,3"}, "cannot be given together"},
                   Wrong{{"a.csg", "--camera", "fornt"}, "wanted front (did you mean \"front\"?)"},

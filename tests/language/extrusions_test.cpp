@@ -36,6 +36,13 @@ TEST(LinearExtrude, ScalesTheTopAboutTheOriginNotTheCircle) {
     EXPECT_EQ(tree("linear_extrude(2, scale = 0) circle(1);"), "cone");
 }
 
+TEST(LinearExtrude, OfTooManySlicesIsRefusedBeforeItFillsTheMemory) {
+    for (const char* text : {"linear_extrude(1, twist = 1e9) square(1);",
+                             "linear_extrude(1, twist = 10, slices = 1e9) "
+                             "circle(1, $fn = 64);"})
+        EXPECT_TRUE(contains(error_of(text), "t.csg:1:1: linear_extrude() would make ")) << text;
+}
+
 TEST(LinearExtrude, OfFewEdgesIsAPrismAndOfManyAMesh) {
     EXPECT_EQ(tree("linear_extrude(5) square(2);"), "prism");
     EXPECT_EQ(tree("linear_extrude(5, scale = [2, 2]) square(2);"), "prism");

@@ -66,6 +66,8 @@ TEST(Materials, MayBeUsedBeforeTheyAreDefined) {
 TEST(Materials, UnknownKindsAreErrorsAndUnknownParametersWarnings) {
     EXPECT_EQ(error_of("define_material(\"x\", kind = \"difuse\"); cube();"),
               "t.csg:1:1: no material kind \"difuse\" (did you mean \"diffuse\"?)");
+    EXPECT_TRUE(
+        contains(error_of("define_material(\"m\", kind = \"glass\");"), ", wanted diffuse, filter, dielectric"));
     EXPECT_TRUE(contains(error_of("define_material(\"x\"); cube();"), "has no kind"));
     EXPECT_TRUE(contains(error_of("define_material(kind = \"diffuse\"); cube();"), "name of define_material()"));
     const Scene scene = read("define_material(\"x\", kind = \"diffuse\", reflectanse = 0.3, emission = 1); cube();");

@@ -71,6 +71,7 @@ TEST(ParserErrors, RefuseNodesOfLaterVersionsByNameAndPlace) {
 TEST(ParserErrors, NameTheArgumentOfTheWrongType) {
     EXPECT_EQ(error_of("sphere(r = \"big\");"), "t.csg:1:8: r of sphere() must be a number");
     EXPECT_EQ(error_of("cube(center = [1]);"), "t.csg:1:6: center of cube() must be true or false");
+    EXPECT_EQ(error_of("cube([1]);"), "t.csg:1:6: size of cube() must be a number or a list of numbers, as [1, 2, 3]");
     EXPECT_EQ(error_of("multmatrix(3) cube();"),
               "t.csg:1:12: m of multmatrix() must be a list of 4 lists of 4 numbers");
 }

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "formats/openscad/openscad_format.hpp"
 #include "tests/language/read.hpp"
@@ -31,7 +32,8 @@ protected:
     }
     static bool has_openscad() { return std::system("command -v openscad >/dev/null 2>&1") == 0; }
 
-    fs::path folder_ = fs::temp_directory_path() / "cardioid language scad";  // the space must not matter
+    fs::path folder_ =  // the space must not matter
+        fs::temp_directory_path() / ("cardioid language scad " + std::to_string(::getpid()));
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/language/read.hpp"
 
@@ -64,6 +65,15 @@ TEST(Solids, SizesThatEncloseNothingAreRemovedWithAWarning) {
         EXPECT_EQ(tree_of(scene), "") << text;
         EXPECT_TRUE(contains(warnings_of(scene), "removed")) << text;
     }
+}
+
+TEST(Solids, BeyondWhatCanBeTracedAreRemovedWithAWarning) {
+    for (const char* text : {"sphere(1e30);", "translate([1e20, 0, 0]) sphere(1);", "cube([1, 1, 1e16]);"}) {
+        const Scene scene = read(text);
+        EXPECT_EQ(tree_of(scene), "") << text;
+        EXPECT_TRUE(contains(warnings_of(scene), "larger than 1e15 or farther out: removed")) << text;
+    }
+    EXPECT_EQ(tree_of(read("translate([1e14, 0, 0]) sphere(1e12);")), "ball");
 }
 
 TEST(Solids, FewFacetsStayAndManyBecomeCurves) {
@@ -144,16 +154,25 @@ TEST(Solids, PolyhedronFacesRunClockwise) {
 TEST(Solids, BadCornersOfAPolyhedronAreLeftOutWithAWarning) {
     for (const char* face : {"[0, 1, 7]", "[0, 1, -1]", "[0, 1, nan]", "[0, 1, \"x\"]", "3", "[0:1e9]", "[0, 1, 4]"}) {
         const Scene scene = read(
-            std::string(
-                "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1],[undef]], faces = [[0,3,1],[0,2,3],[1,3,2],") +
+            std::string("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,3,1],[0,2,3],[1,3,2],") +
             face + "]);");
         EXPECT_TRUE(contains(warnings_of(scene), "1 faces of the polyhedron have bad corners")) << face;
         EXPECT_TRUE(contains(warnings_of(scene), "the mesh is not closed: 3 open edges")) << face;
     }
 }
 
+TEST(Solids, APolyhedronWithAPointThatIsNowhereIsRemovedWithAWarning) {
+    for (const char* point : {"[inf, 0, 0]", "[nan, 0, 0]", "[undef]", "\"x\""}) {
+        const Scene scene = read(std::string("polyhedron(points = [") + point +
+                                 ",[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]]);");
+        EXPECT_EQ(scene.solids.leaves.size(), 0U) << point;
+        EXPECT_TRUE(contains(warnings_of(scene), "not three finite numbers: removed")) << point;
+    }
+}
+
 TEST(Solids, ImportReadsMeshesBesideTheSceneAndSharesThem) {
-    const auto folder = std::filesystem::temp_directory_path() / "cardioid_language_import";
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("cardioid_language_import_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "t.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     ReadOptions options;

@@ -82,6 +82,8 @@ TEST(Camera, RefusesWhatCannotBeSeenThrough) {
     refused([](CameraSettings& c) { c.fov_deg = 180; });
     refused([](CameraSettings& c) { c.fov_deg = 0; });
     refused([](CameraSettings& c) { c.eye.x = std::nan(""); });
+    refused([](CameraSettings& c) { c.eye.x = 1e300; });
+    refused([](CameraSettings& c) { c.lens_radius = c.focus = 1e300; });
     refused([](CameraSettings& c) { c.lens_radius = -1; });
     refused([](CameraSettings& c) { c.projection = CameraSettings::Projection::orthographic; });
 }

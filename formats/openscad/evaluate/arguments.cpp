@@ -111,6 +111,8 @@ Vec3d Arguments::size(std::string_view name, double fallback) const {
         const double x = number(name, fallback);
         return {x, x, x};
     }
+    if (const Value& v = *value(name); v.kind != ValueKind::numbers || v.count < 2)
+        wrong(name, "a number or a list of numbers, as [1, 2, 3]");
     const auto xs = *numbers(name, 2);
     return {xs[0], xs[1], xs.size() > 2 ? xs[2] : fallback};
 }

@@ -206,8 +206,10 @@ private:
     bool add_leaf(const Shape& shape, const Arguments& args) {
         const State& state = frames_.back().state;
         const Affine to_world = state.to_world * shape.local;
-        if (is_singular(to_world)) {
-            warnings_.add(args.where(), "a solid is scaled by 0 or by what is not finite: removed");
+        const bool singular = is_singular(to_world);
+        if (singular || is_out_of_reach(to_world)) {
+            warnings_.add(args.where(), singular ? "a solid is scaled by 0 or by what is not finite: removed"
+                                                 : "a solid is larger than 1e15 or farther out: removed");
             return false;
         }
         results_.add_leaf({shape.kind, to_world, shape.a, shape.b, shape.data, state.leaf_material(), line_of(args)});

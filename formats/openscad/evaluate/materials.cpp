@@ -84,8 +84,11 @@ void MaterialTable::check_kind(const MaterialSettings& material, Warnings& warni
                                   did_you_mean(name, names) + ": ignored");
         return;
     }
-    throw Error(ErrorCode::bad_input, material.params.where() + ": no material kind \"" + material.kind + "\"" +
-                                          did_you_mean(material.kind, kinds));
+    std::string wanted = did_you_mean(material.kind, kinds);
+    if (wanted.empty())
+        for (const std::string_view kind : kinds) wanted.append(wanted.empty() ? ", wanted " : ", ").append(kind);
+    throw Error(ErrorCode::bad_input,
+                material.params.where() + ": no material kind \"" + material.kind + "\"" + wanted);
 }
 
 std::uint32_t MaterialTable::named(const std::string& name, const std::string& where) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "csg/shapes/degrees.hpp"
 #include "csg/shapes/extrude.hpp"
 #include "formats/openscad/geometry/transforms.hpp"
+#include "rt_core/api/error.hpp"
 
 namespace cardioid::formats::openscad {
 namespace {
@@ -58,12 +60,23 @@ double circle_radius(const Affine& map) {
     return std::abs(rx - ry) <= round * rx && std::abs(dot(x, y)) <= round * rx * ry ? rx : 0;
 }
 
+/// A mistaken twist or number of slices would fill the memory for minutes before anyone hears of it.
+void refuse_many_triangles(double triangles, const std::string& where) {
+    constexpr double most = 5e7;
+    if (triangles > most)
+        throw Error(ErrorCode::limit, fmt::format("{}: linear_extrude() would make {:.0f} triangles, wanted at most "
+                                                  "{:.0f}: fewer slices or less twist",
+                                                  where, triangles, most));
+}
+
 /// A profile swept up: a prism where that can be met analytically, else a mesh.
 std::optional<Shape> extruded(Profile profile, const csg::LinearExtrusion& how, const std::string& where,
                               ShapeContext& context) {
     const bool even = how.twist_deg == 0 && how.scale.x == how.scale.y && how.scale.x > 0;
-    if (!even || edge_count(profile) > most_profile_edges)
+    if (!even || edge_count(profile) > most_profile_edges) {
+        refuse_many_triangles(2.0 * csg::slice_count(profile, how) * static_cast<double>(edge_count(profile)), where);
         return make_mesh(csg::linear_extrude(profile, how), where, context);
+    }
     const Affine local{{Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, how.height}}, {0, 0, how.centre ? how.height / -2 : 0}};
     return Shape{LeafKind::prism, local, how.scale.x, 0, context.solids.add_profile(std::move(profile))};
 }

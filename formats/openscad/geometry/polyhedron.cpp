@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "csg/shapes/mesh_repair.hpp"
@@ -6,7 +7,7 @@
 namespace cardioid::formats::openscad {
 namespace {
 
-/// The corners; NaN where one is not three finite numbers, so that faces that use it can be told.
+/// The corners; NaN where one is not three numbers.
 std::vector<Vec3d> read_points(const Arguments& args) {
     const Value* list = args.value("points");
     if (!list) return {};
@@ -31,8 +32,7 @@ constexpr std::uint32_t bad_index = 0xFFFFFFFFU;  // beyond every list of points
 
 std::uint32_t index_of(double x, const std::vector<Vec3d>& points) {
     if (!(x >= 0 && x < static_cast<double>(points.size()))) return bad_index;
-    const auto i = static_cast<std::uint32_t>(x);
-    return is_finite(points[i]) ? i : bad_index;
+    return static_cast<std::uint32_t>(x);
 }
 
 /// A face given as the range [a : b] or [a : step : b].
@@ -76,10 +76,12 @@ std::vector<std::vector<std::uint32_t>> read_faces(const Arguments& args, const 
 }  // namespace
 
 std::optional<Shape> make_polyhedron(const Arguments& args, ShapeContext& context) {
-    std::vector<Vec3d> points = read_points(args);
+    const std::vector<Vec3d> points = read_points(args);
+    if (!std::all_of(points.begin(), points.end(), [](Vec3d p) { return is_finite(p); })) {
+        context.warnings.add(args.where(), "a point of the polyhedron is not three finite numbers: removed");
+        return std::nullopt;
+    }
     const auto faces = read_faces(args, points);
-    for (Vec3d& p : points)
-        if (!is_finite(p)) p = {};  // no face has it
     csg::MeshFaults faults;
     TriangleMesh mesh = csg::triangulate_polyhedron(points, faces, faults);
     if (faults.dropped_faces > 0)

@@ -108,6 +108,11 @@ bool is_singular(const Affine& m) {
     return !is_finite(m.t) || !std::isfinite(span) || !(std::abs(m.determinant()) > flat * span);
 }
 
+bool is_out_of_reach(const Affine& m) {
+    constexpr double reach = 1e15;  // what is seen from there stays well below Embree's 1.8e18
+    return std::max({max_component(abs(m.t)), length(m.row[0]), length(m.row[1]), length(m.row[2])}) > reach;
+}
+
 Affine rotation_z(double degrees) {
     const auto [s, c] = csg::sin_cos_deg(degrees);
     return {{Vec3d{c, -s, 0}, {s, c, 0}, {0, 0, 1}}, {}};

@@ -14,6 +14,9 @@ Affine in_plane(const Affine& m);
 /// Whether the map flattens what it is applied to, whatever its scale, or is not finite.
 bool is_singular(const Affine& m);
 
+/// Whether what the map places is larger or farther away than single precision can trace (1e15).
+bool is_out_of_reach(const Affine& m);
+
 /// The rotation by an angle about z, exact at multiples of 30 and 45 degrees.
 Affine rotation_z(double degrees);
 

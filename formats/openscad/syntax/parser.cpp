@@ -85,7 +85,7 @@ private:
         advance();
         if (name.spelling == "use" || name.spelling == "include") return library(name);
         if (is_program_word(name.spelling) || token_.is('=')) values_.program(name);
-        if (blocks_.size() >= nesting_limit)
+        if (blocks_.size() > nesting_limit)
             lexer_.fail(start, "found more than " + std::to_string(nesting_limit) + " calls inside one another");
         build_.open(name.spelling, modifiers != 0 ? start : name.place, modifiers);
         blocks_.push_back(true);
