@@ -39,6 +39,7 @@ int run_convert(const std::vector<std::string>& words) {
 
     const std::unique_ptr<Registry> registry = open_registry(options.plugins);
     const Format& format = find_writer(output, *registry);
+    keep_scene(options, output);
     check_text_path(output);
     const Scene scene = read_scene(options, *registry);
     Console console(Loudness::normal, ProgressStyle::none);

@@ -31,6 +31,7 @@ private:
 
 /// Before any work: whatever is written at the end can be written.
 void check_outputs(const RenderOptions& options) {
+    keep_scene(options.scene, options.output);
     check_image_path(options.output);
     if (!options.stats.empty()) check_text_path(options.stats);
     if (!options.save_map.empty()) check_text_path(options.save_map);

@@ -70,6 +70,12 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
     arguments.list("--plugin", "FILE", "Load a plug-in; may be given again", options.plugins);
 }
 
+void keep_scene(const SceneOptions& options, const std::string& output) {
+    std::error_code ignored;  // of a file that is not there, so not the same
+    if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(options.file, output, ignored))
+        throw Error(ErrorCode::usage, fmt::format("-o: {} is the scene itself and would be overwritten", output));
+}
+
 std::string extension_of(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),

@@ -34,6 +34,9 @@ Scene read_scene(const SceneOptions& options, const Registry& registry);
 /// The same of a text that is already in memory.
 Scene read_scene(const SceneOptions& options, const std::string& text, const Registry& registry);
 
+/// Throws Error(usage) where `output` is the scene itself, which would be lost.
+void keep_scene(const SceneOptions& options, const std::string& output);
+
 /// Lower-case extension with its dot, "" without one.
 std::string extension_of(const std::string& file);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "csg/leaves/solvers.hpp"
@@ -33,13 +34,22 @@ struct Sweep::Buffers {
     struct Count {
         std::uint64_t ray = 0;  ///< the sweep this count is of; another one's is at rest
         std::int32_t value = 0;
+        std::int32_t change = 0;  ///< of a group of events that is being flipped
+        bool queued = false;      ///< waits in `dirty`
     };
     std::vector<Node> nodes;     ///< of the hierarchy, not yet visited; the nearest last
     std::vector<Event> pending;  ///< of solved leaves, not yet swept; the nearest last
     EventList fresh;
     std::vector<Event> tied;
     std::vector<Count> counts;
+    std::vector<std::uint32_t> dirty;  ///< gates whose inputs have changed, the lowest first
     std::uint64_t ray = 0;
+
+    Count& count_of(std::uint32_t number, const Gate& gate) noexcept {
+        Count& count = counts[number];
+        if (count.ray != ray) count = {ray, gate.at_rest, 0, false};
+        return count;
+    }
 };
 
 Sweep::Buffers& Sweep::buffers() noexcept {
@@ -93,8 +103,7 @@ inline void Sweep::take(double t, std::uint32_t input, std::uint32_t face, bool 
     std::vector<Event>& pending = buffers_.pending;
     std::size_t i = pending.size();
     pending.emplace_back();
-    for (; i > 0 && (t > pending[i - 1].t || (t == pending[i - 1].t && input > pending[i - 1].leaf)); --i)
-        pending[i] = pending[i - 1];
+    for (; i > 0 && t > pending[i - 1].t; --i) pending[i] = pending[i - 1];
     pending[i] = event;
 }
 
@@ -152,19 +161,22 @@ void Sweep::start() noexcept {
     std::size_t kept = pending.size();
     while (kept > 0 && (pending[kept - 1].t <= 0 || (ray_.from.region != FaceId::none && pending[kept - 1].t <= reach)))
         --kept;
+    std::vector<Event>& behind = buffers_.fresh;
+    behind.clear();
     std::size_t out = kept;
     for (std::size_t i = kept; i < pending.size(); ++i) {
         if (starts_here(ray_, region_.tolerances(), exact_, region_.leaves()[pending[i].leaf], pending[i]))
             here.push_back(pending[i]);
         else if (pending[i].t <= 0)
-            flip(pending[i]);
+            behind.push_back(pending[i]);
         else
             pending[out++] = pending[i];
     }
     pending.resize(out);
     now_ = 0;
+    flip_all(behind);
     inside_before_ = inside();
-    for (const Event& event : here) flip(event);
+    flip_all(here);
     inside_after_ = inside();
 }
 
@@ -174,13 +186,44 @@ bool Sweep::inside() const noexcept {
     return (count.ray == buffers_.ray ? count.value : gates.back().at_rest) >= gates.back().threshold;
 }
 
+/// Flips events that lie at one place: every gate they reach is looked at once, children before parents, so that a deep
+/// chain of coincident faces costs no more than its length.
+void Sweep::flip_all(std::span<const Event> events) noexcept {
+    if (events.size() == 1) return flip(events[0]);
+    std::vector<std::uint32_t>& dirty = buffers_.dirty;
+    dirty.clear();
+    const auto change = [&](std::uint32_t gate, std::int32_t by) {
+        Buffers::Count& count = buffers_.count_of(gate, region_.gates().gates[gate]);
+        count.change += by;
+        if (count.queued) return;
+        count.queued = true;
+        dirty.push_back(gate);
+        std::push_heap(dirty.begin(), dirty.end(), std::greater<>());
+    };
+    for (const Event& event : events) {
+        const Input input = region_.gates().inputs[event.leaf];
+        change(input.gate, (event.entering != 0) != (input.negated != 0) ? 1 : -1);
+    }
+    while (!dirty.empty()) {
+        std::pop_heap(dirty.begin(), dirty.end(), std::greater<>());
+        const std::uint32_t g = dirty.back();
+        dirty.pop_back();
+        const Gate& gate = region_.gates().gates[g];
+        Buffers::Count& count = buffers_.counts[g];
+        const bool was = count.value >= gate.threshold;
+        count.value += count.change;
+        count.change = 0, count.queued = false;
+        const bool is = count.value >= gate.threshold;
+        if (was != is && gate.parent != Gates::none) change(gate.parent, is ? 1 : -1);
+    }
+}
+
 void Sweep::flip(const Event& event) noexcept {
     const Input input = region_.gates().inputs[event.leaf];
     std::int32_t change = (event.entering != 0) != (input.negated != 0) ? 1 : -1;
     for (std::uint32_t g = input.gate; g != Gates::none;) {
         const Gate& gate = region_.gates().gates[g];
-        Buffers::Count& count = buffers_.counts[g];
-        if (count.ray != buffers_.ray) count = {buffers_.ray, gate.at_rest};
+        Buffers::Count& count = buffers_.count_of(g, gate);
         const bool was = count.value >= gate.threshold;
         count.value += change;
         const bool is = count.value >= gate.threshold;
@@ -200,10 +243,10 @@ void Sweep::take_tied() noexcept {
     buffers_.tied.clear();
     now_ = pending.back().t;
     while (!pending.empty() && pending.back().t <= now_ + exact_) {
-        flip(pending.back());
         buffers_.tied.push_back(pending.back());
         pending.pop_back();
     }
+    flip_all(buffers_.tied);
 }
 
 /// Of tied events the owner of the face: rather a part than a cutter, rather later in the file.

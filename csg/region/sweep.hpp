@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <span>
 
 #include "csg/region/solid_region.hpp"
 
@@ -31,6 +32,7 @@ private:
     void visit_until(double t) noexcept;
     void start() noexcept;
     void flip(const Event& event) noexcept;
+    void flip_all(std::span<const Event> events) noexcept;
     void take_tied() noexcept;
     [[nodiscard]] bool inside() const noexcept;
     [[nodiscard]] Vec3d normal_of(const Event& event) const noexcept;

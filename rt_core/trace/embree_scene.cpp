@@ -18,6 +18,14 @@ constexpr double tie_tolerance = 1e-11;
 /// four units in the last place.
 constexpr double float_lift = 4 * 0x1p-23;
 
+/// Embree takes no ray that starts farther out, and nothing is seen from there.
+constexpr double farthest_origin = 1e18;
+
+/// False too where a coordinate is not a number.
+bool within_reach(const Ray& ray) {
+    return dot(ray.o, ray.o) < farthest_origin * farthest_origin && dot(ray.d, ray.d) < 1e6;
+}
+
 float rounded_up(double t) { return static_cast<float>(t * (1 + 1e-6)); }
 
 /// Float bounds that contain the box with room for the rounding of float rays.
@@ -179,6 +187,7 @@ void EmbreeScene::refine(const Ray& ray, Hit& hit) const noexcept {
 }
 
 Hit EmbreeScene::intersect(const Ray& ray) const noexcept {
+    if (!within_reach(ray)) return {};
     Query query(ray, tie_tolerance * (scale_ + max_component(abs(ray.o))));
     for (const Solid& solid : unbounded_) visit(solid, query);
     RTCRayHit found;
@@ -193,6 +202,7 @@ Hit EmbreeScene::intersect(const Ray& ray) const noexcept {
 }
 
 bool EmbreeScene::occluded(const Ray& ray) const noexcept {
+    if (!within_reach(ray)) return false;
     Hit hit;
     for (const Solid& solid : unbounded_)
         if (solid.region->first_boundary(ray, solid.id, hit)) return true;

@@ -83,6 +83,7 @@ TEST(WrongUsage, OfTheOtherCommandsNamesTheNearest) {
     expect_wrong({Wrong{{"inof", "a.csg"}, "there is no command or file \"inof\" (did you mean \"info\"?)"},
                   Wrong{{"list"}, "no WHAT is given"}, Wrong{{"list", "lihgts"}, "(did you mean \"lights\"?)"},
                   Wrong{{"list", "shaders", "lights"}, "found \"lights\" after WHAT"},
+                  Wrong{{"convert", "a.csg", "-o", "./a.csg"}, "-o: ./a.csg is the scene itself"},
                   Wrong{{"convert", "a.csg"}, "no -o FILE is given"},
                   Wrong{{"convert", "a.csg", "-o", "a.stl"}, "found ending \".stl\", can write .csg"},
                   Wrong{{"convert", "a.csg", "-o", "a.cgs"}, "(did you mean \".csg\"?)"},

@@ -79,6 +79,21 @@ TEST(Compile, AChainOfDifferencesIsOneFlatGate) {
     EXPECT_EQ(region->gates().gates.size(), 1U);
 }
 
+TEST(Compile, ADeepChainOfCoincidentFacesIsSwept) {
+    SolidTree t;  // A - (A - (A - ... B)): every face of every level at one place
+    const int levels = 2000;
+    std::uint32_t chain = t.add_leaf(ball_leaf({0, 0, 0}, 1));
+    for (int i = 0; i < levels; ++i)
+        chain = t.add_node(SolidOp::subtract, {t.add_leaf(box_leaf({-2, -2, -2}, {4, 4, 4})), chain});
+    t.roots = {chain};
+    std::vector<Boundary> all;
+    const auto region = test::whole(t, true);
+    region->boundaries({{-5, 0.1, 0.2}, {1, 0, 0}, 1e9, {}, {}}, all);
+    EXPECT_EQ(all.size(), 2U);  // an even number of levels leaves the ball
+    region->boundaries({{-5, 1.5, 0.2}, {1, 0, 0}, 1e9, {}, {}}, all);
+    EXPECT_EQ(all.size(), 0U);
+}
+
 TEST(Compile, ALeafCostsNoMoreThanTwoHundredBytes) {
     test::Random random(1);
     SolidTree t;

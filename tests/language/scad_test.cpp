@@ -69,6 +69,17 @@ TEST_F(Scad, OpenscadsRefusalIsTheMessage) {
     }
 }
 
+TEST_F(Scad, AProgramThatMakesNothingIsToldAsSuch) {
+    if (!has_openscad()) GTEST_SKIP() << "openscad is not installed";
+    const std::string file = write("p.scad", "echo(1);");
+    try {
+        read("", file);
+        ADD_FAILURE() << "read";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.what(), file + ": openscad finds no model in it");
+    }
+}
+
 TEST_F(Scad, OpenscadsWarningsAreTheScenes) {
     if (!has_openscad()) GTEST_SKIP() << "openscad is not installed";
     EXPECT_TRUE(contains(test::warnings_of(read("", write("p.scad", "nothing_known(); cube(1);"))),

@@ -151,6 +151,17 @@ TEST(Tracer, MirroredSurfacesKeepTheirOutside) {
     EXPECT_GT(hit.ng.x, 0.5F);
 }
 
+TEST(Tracer, RaysThatAreNowhereMeetNothing) {
+    Scene scene;
+    scene.solids.roots = {scene.solids.add_leaf(ball_leaf({0, 0, 0}, 1))};
+    const Tracer tracer(csg::compile(scene, {}), {});
+    for (const Vec3d& o : {Vec3d{1e300, 0, 0}, Vec3d{0, NAN, 0}, Vec3d{0, 0, -INFINITY}}) {
+        EXPECT_FALSE(tracer.intersect({o, {1, 0, 0}, 1e9, {}, {}}).found());
+        EXPECT_FALSE(tracer.occluded({o, {1, 0, 0}, 1e9, {}, {}}));
+    }
+    EXPECT_FALSE(tracer.intersect({{0, 0, -5}, {NAN, 0, 1}, 1e9, {}, {}}).found());
+}
+
 TEST(Tracer, CountsItsMemory) {
     Scene scene;
     scene.solids.roots = {scene.solids.add_leaf(ball_leaf({0, 0, 0}, 1))};
