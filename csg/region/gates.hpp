@@ -23,14 +23,18 @@ struct Input {
 
 /// A boolean tree as gates over leaves, in negation normal form: A - B - C is AND(A, not B, not C), so chains of
 /// differences are flat. Only leaves are negated; leaves that can never matter are gone.
-struct Gates {
+struct GateTree {
     static constexpr std::uint32_t none = 0x7FFFFFFFU;
-    std::vector<Gate> gates;            ///< children before parents; the root is the last; empty: the solid is empty
+    std::vector<Gate> gates;        ///< children before parents; the root is the last; empty: the solid is empty
+    std::vector<Input> inputs;      ///< one for each leaf
+    Box3d bounds;                   ///< of the solid
+    std::uint32_t required = none;  ///< an input without which the solid is empty, where there is one
+};
+
+/// The same with what only the making of a region needs; both lists are parallel to `inputs`.
+struct Gates : GateTree {
     std::vector<std::uint32_t> leaves;  ///< SolidTree leaf of each input
-    std::vector<Input> inputs;          ///< parallel to `leaves`
-    std::vector<Box3d> boxes;           ///< parallel to `leaves`: where this leaf can matter; may be infinite
-    Box3d bounds;                       ///< of the solid
-    std::uint32_t required = none;      ///< an input without which the solid is empty, where there is one
+    std::vector<Box3d> boxes;           ///< where this leaf can matter; may be infinite
 };
 
 /// The union of the given nodes of the tree as gates; leaf_boxes has one box for every leaf of the tree.

@@ -14,16 +14,18 @@ constexpr std::size_t most_without_hierarchy = 8;
 
 SolidRegion::SolidRegion(Gates gates, std::vector<SolvedLeaf> leaves, std::vector<std::shared_ptr<const Shape>> shapes,
                          const Tolerances& tolerances)
-    : gates_(std::move(gates)), leaves_(std::move(leaves)), shapes_(std::move(shapes)), tolerances_(tolerances) {
+
+    : gates_(std::move(static_cast<GateTree&>(gates))),
+      leaves_(std::move(leaves)),
+      shapes_(std::move(shapes)),
+      tolerances_(tolerances) {
     std::erase(shapes_, nullptr);
     std::sort(shapes_.begin(), shapes_.end());
     shapes_.erase(std::unique(shapes_.begin(), shapes_.end()), shapes_.end());
     if (leaves_.size() > most_without_hierarchy && gates_.bounds.bounded()) {
-        for (Box3d& box : gates_.boxes) box = box.padded(tolerances.start);
-        bvh_ = Bvh8(gates_.boxes, 2);
+        for (Box3d& box : gates.boxes) box = box.padded(tolerances.start);
+        bvh_ = std::make_unique<const Bvh8>(gates.boxes, 2);
     }
-    gates_.boxes = {};
-    gates_.leaves = {};
     std::uint32_t first = Leaf::no_material;
     one_material_ = true;
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -82,7 +84,7 @@ std::uint32_t SolidRegion::interior_material(Vec3d p) const noexcept {
 std::size_t SolidRegion::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + leaves_.capacity() * sizeof(SolvedLeaf) +
                         gates_.gates.capacity() * sizeof(Gate) + gates_.inputs.capacity() * sizeof(Input) +
-                        bvh_.memory_bytes() + shapes_.capacity() * sizeof(shapes_[0]);
+                        (bvh_ ? sizeof(Bvh8) + bvh_->memory_bytes() : 0) + shapes_.capacity() * sizeof(shapes_[0]);
     for (const auto& shape : shapes_) bytes += shape->memory_bytes();
     return bytes;
 }

@@ -40,16 +40,17 @@ public:
     [[nodiscard]] bool contains(Vec3d p) const noexcept;
 
     // What the sweep reads.
-    [[nodiscard]] const Gates& gates() const noexcept { return gates_; }
+    [[nodiscard]] const GateTree& gates() const noexcept { return gates_; }
     [[nodiscard]] const std::vector<SolvedLeaf>& leaves() const noexcept { return leaves_; }
-    [[nodiscard]] const Bvh8& bvh() const noexcept { return bvh_; }
+    /// Null where all leaves are tried in turn: few of them, or an unbounded solid.
+    [[nodiscard]] const Bvh8* bvh() const noexcept { return bvh_.get(); }
     [[nodiscard]] const Tolerances& tolerances() const noexcept { return tolerances_; }
 
 private:
-    Gates gates_;
+    GateTree gates_;
     std::vector<SolvedLeaf> leaves_;
     std::vector<std::shared_ptr<const Shape>> shapes_;  ///< each once
-    Bvh8 bvh_;  ///< empty where all leaves are tried in turn: few of them, or an unbounded solid
+    std::unique_ptr<const Bvh8> bvh_;
     Tolerances tolerances_;
     bool one_material_;
 };

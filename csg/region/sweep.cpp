@@ -59,20 +59,20 @@ Sweep::Buffers& Sweep::buffers() noexcept {
 
 Sweep::Sweep(const SolidRegion& region, const Ray& ray)
     : region_(region), ray_(ray), buffers_(buffers()), box_ray_({}, {}), end_(ray.t_max) {
-    const Gates& gates = region.gates();
+    const GateTree& gates = region.gates();
     ++buffers_.ray;
     buffers_.nodes.clear();
     buffers_.pending.clear();
     if (gates.gates.empty()) return;
     if (buffers_.counts.size() < gates.gates.size()) buffers_.counts.resize(gates.gates.size());
     exact_ = exact_along(region.tolerances(), ray);
-    if (region.bvh().empty()) {
+    if (!region.bvh()) {
         solve_all();
     } else {
         const auto [t0, t1] = box_interval(gates.bounds.padded(region.tolerances().start), ray.o, ray.d);
         if (t0 > t1 || t1 < 0 || t0 > ray.t_max) return;
         entry_t_ = std::max(t0, 0.0);
-        box_ray_ = {Vec3(ray.o + ray.d * entry_t_ - region.bvh().centre()), Vec3(ray.d)};
+        box_ray_ = {Vec3(ray.o + ray.d * entry_t_ - region.bvh()->centre()), Vec3(ray.d)};
         node_end_ = static_cast<float>(std::min(t1, ray.t_max) - entry_t_) * (1 + 1e-6F);
         buffers_.nodes.push_back({0, 0});
     }
@@ -131,11 +131,11 @@ void Sweep::visit() noexcept {
     nodes.pop_back();
     if (child & Bvh8::leaf_flag) {
         const std::uint32_t first = (child & ~Bvh8::leaf_flag) >> 3;
-        for (std::uint32_t i = first; i < first + (child & 7); ++i) solve(region_.bvh().order()[i]);
+        for (std::uint32_t i = first; i < first + (child & 7); ++i) solve(region_.bvh()->order()[i]);
         return;
     }
     alignas(32) float entry[8];
-    const BvhNode& node = region_.bvh().node(child);
+    const BvhNode& node = region_.bvh()->node(child);
     for (unsigned mask = hit_boxes(node, box_ray_, 0, node_end_, entry); mask; mask &= mask - 1) {
         const auto i = static_cast<unsigned>(__builtin_ctz(mask));
         const float t = entry[i];
