@@ -10,6 +10,7 @@
 #include "cli/io/text_output.hpp"
 #include "cli/terminal/interrupt.hpp"
 #include "csg/compile.hpp"
+#include "rt_core/render/picture_eye.hpp"
 
 namespace cardioid::cli {
 namespace {
@@ -46,11 +47,13 @@ CompileSolids measuring_compiler(Box3d& model) {
     };
 }
 
-void prepare_lighting(LightingModule& module, const RenderOptions& options, const World& world, Console& console) {
+void prepare_lighting(LightingModule& module, const RenderOptions& options, const CommittedScene& scene,
+                      const RenderSettings& settings, Console& console) {
+    const PictureEye eye(scene, settings);
     if (!options.load_map.empty())
-        module.load(options.load_map, world);
+        module.load(options.load_map, scene, &eye, console);
     else
-        module.prepare(world, console);
+        module.prepare(scene, &eye, console);
     if (!options.save_map.empty() && !interrupted()) module.save(options.save_map);
 }
 
@@ -97,7 +100,7 @@ int render_scene(const RenderOptions& options, const std::string& command, Conso
     watch.lap("build");
 
     catch_interrupts();  // until here there was nothing to save
-    prepare_lighting(*module, options, committed, console);
+    prepare_lighting(*module, options, committed, settings, console);
     watch.lap("prepare");
     if (interrupted()) throw Error(ErrorCode::interrupted, "interrupted before the first pixel; nothing is saved");
     const RenderResult result = render(committed, *module, settings, console);

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "rt_core/api/eye.hpp"
 #include "rt_core/api/progress.hpp"
 #include "rt_core/api/world.hpp"
 
@@ -31,9 +32,9 @@ class LightingModule {
 public:
     virtual ~LightingModule() = default;
 
-    /// The passes before rendering: emission, maps, cache. Throws Error. Reports progress and returns early when
-    /// interrupted.
-    virtual void prepare(const World& /*world*/, Progress& /*progress*/) {}
+    /// The passes before rendering: emission, maps, cache. `eye` is what will be drawn, null where single points will
+    /// be asked for (probe). Throws Error. Reports progress and returns early when interrupted.
+    virtual void prepare(const World& /*world*/, const Eye* /*eye*/, Progress& /*progress*/) {}
 
     /// Radiance that leaves `point` along wo (world) by its non-delta lobes, of light that met a diffuse surface
     /// before.
@@ -51,9 +52,9 @@ public:
                                                       std::size_t /*light*/) const noexcept {
         return std::nullopt;
     }
-    /// A module that follows the whole path itself returns all light that comes along `ray`; the host then asks nothing
-    /// else.
-    [[nodiscard]] virtual std::optional<LightParts> incoming(const World& /*world*/, const Ray& /*ray*/,
+    /// A module that follows the whole path itself returns all light that comes along the ray; the host then asks
+    /// nothing else of it for pictures, but indirect() and caustic() still for single points.
+    [[nodiscard]] virtual std::optional<LightParts> incoming(const World& /*world*/, const EyeRay& /*eye*/,
                                                              Sampler& /*sampler*/) const noexcept {
         return std::nullopt;
     }
@@ -66,15 +67,16 @@ public:
     }
 
     [[nodiscard]] virtual std::vector<Statistic> statistics() const { return {}; }
-    /// Whole maps to and from a file; load() refuses one of another World::hash(). Both throw Error.
+    /// Whole maps to and from a file; load() stands in for prepare() and refuses a map of another World::hash(). Both
+    /// throw Error.
     virtual void save(const std::string& path) const;
-    virtual void load(const std::string& path, const World& world);
+    virtual void load(const std::string& path, const World& world, const Eye* eye, Progress& progress);
 };
 
 inline void LightingModule::save(const std::string& path) const {
     throw Error(ErrorCode::usage, path + ": this lighting has no map to save");
 }
-inline void LightingModule::load(const std::string& path, const World&) {
+inline void LightingModule::load(const std::string& path, const World&, const Eye*, Progress&) {
     throw Error(ErrorCode::usage, path + ": this lighting has no map to load");
 }
 

@@ -6,8 +6,8 @@
 #include <mutex>
 
 #include "rt_core/api/parallel.hpp"
-#include "rt_core/render/camera.hpp"
 #include "rt_core/render/film_sums.hpp"
+#include "rt_core/render/picture_eye.hpp"
 #include "rt_core/render/pixel_filter.hpp"
 #include "rt_core/render/ray_counts.hpp"
 #include "rt_core/render/stop_rule.hpp"
@@ -23,18 +23,6 @@ double process_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
-/// The crop of the settings, or all of the picture. Throws Error(usage) where it is empty or sticks out.
-std::array<int, 4> checked_crop(const RenderSettings& s) {
-    if (s.width < 1 || s.height < 1)
-        throw Error(ErrorCode::usage, fmt::format("a picture of {} x {} pixels has none", s.width, s.height));
-    if (s.crop == std::array{0, 0, 0, 0}) return {0, 0, s.width, s.height};
-    const auto [x0, y0, x1, y1] = s.crop;
-    if (x0 < 0 || y0 < 0 || x1 > s.width || y1 > s.height || x0 >= x1 || y0 >= y1)
-        throw Error(ErrorCode::usage, fmt::format("crop {},{},{},{} must be x0 < x1 <= {} and y0 < y1 <= {}", x0, y0,
-                                                  x1, y1, s.width, s.height));
-    return s.crop;
-}
-
 bool is_bad(Rgb c) { return !is_finite(c) || min_component(c) < 0; }
 
 class Job {
@@ -44,8 +32,8 @@ public:
           module_(module),
           settings_(settings),
           progress_(progress),
-          crop_(checked_crop(settings)),
-          camera_(settings.camera, settings.width, settings.height),
+          eye_(scene, settings),
+          crop_{eye_.crop().x0, eye_.crop().y0, eye_.crop().x1, eye_.crop().y1},
           sums_(crop_[2] - crop_[0], crop_[3] - crop_[1], settings.layers),
           tiles_(morton_tiles(crop_)),
           samples_(tiles_.size()),
@@ -55,7 +43,6 @@ public:
         if (settings.noise > 0) noise_.emplace(settings.noise, pixel_count());
         if (settings.samples <= 0 && !(settings.time_s > 0) && !(settings.noise > 0))
             throw Error(ErrorCode::usage, fmt::format("{} samples a pixel: at least 1 is wanted", settings.samples));
-        if (camera_.is_pinhole()) eye_medium_ = scene.medium_at(camera_.eye());
     }
 
     RenderResult run() {
@@ -94,7 +81,7 @@ private:
     }
 
     void render_tile(std::size_t index, std::uint32_t first, std::uint32_t count);
-    [[nodiscard]] CameraRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
+    [[nodiscard]] EyeRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
     [[nodiscard]] PixelSample sample(int x, int y, std::uint32_t number) const noexcept;
     bool hush(std::uint32_t passes, std::uint32_t count);
     [[nodiscard]] std::vector<std::size_t> pixels_of(const Tile& tile) const;
@@ -105,8 +92,8 @@ private:
     const LightingModule& module_;
     const RenderSettings& settings_;
     Progress& progress_;
+    PictureEye eye_;
     std::array<int, 4> crop_;
-    Camera camera_;
     FilmSums sums_;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> samples_;  ///< a pixel, of each tile
@@ -114,7 +101,6 @@ private:
     PassPlan plan_;
     std::optional<View> view_;
     std::optional<NoiseMeter> noise_;
-    const Medium* eye_medium_ = nullptr;  ///< of a pinhole camera
 
     std::atomic<std::uint64_t> samples_done_{0};
     std::mutex mutex_;  ///< guards the two below
@@ -122,21 +108,19 @@ private:
     std::size_t first_bad_ = SIZE_MAX;
 };
 
-CameraRay Job::camera_ray(int x, int y, Sampler& sampler) const noexcept {
+EyeRay Job::camera_ray(int x, int y, Sampler& sampler) const noexcept {
     Vec2d film{x + 0.5, y + 0.5};
     const Vec2 u_film = sampler.next2(), u_lens = sampler.next2();
     if (settings_.samples != 1)
         film = film + (settings_.filter == Filter::box ? sample_box_filter(u_film) : sample_gaussian_filter(u_film));
-    const Ray ray = camera_.ray(film, u_lens);
-    const double pixel = camera_.footprint(0);
-    return {ray, eye_medium_ ? eye_medium_ : scene_.medium_at(ray.o), pixel, camera_.footprint(1) - pixel};
+    return eye_.ray(film, u_lens);
 }
 
 PixelSample Job::sample(int x, int y, std::uint32_t number) const noexcept {
     const std::uint64_t pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) + static_cast<std::uint64_t>(x);
     Sampler sampler(settings_.seed, Purpose::camera, pixel, number);
-    const CameraRay camera = camera_ray(x, y, sampler);
+    const EyeRay camera = camera_ray(x, y, sampler);
     ++ray_counts.camera;
     PixelSample out;
     if (sums_.wants_first_hit()) out.first = first_hit(scene_, camera);

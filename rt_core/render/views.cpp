@@ -29,7 +29,7 @@ View::View(const std::string& name, const CommittedScene& scene, const LightingM
                 fmt::format("no view \"{}\"{}; there are {}", name, did_you_mean(name, views), fmt::join(names, ", ")));
 }
 
-Rgb View::depth_grey(const CameraRay& camera, double distance) const noexcept {
+Rgb View::depth_grey(const EyeRay& camera, double distance) const noexcept {
     const Box3d box = scene_.bounds();
     if (box.empty()) return {};
     const double middle = length(box.centre() - camera.ray.o), radius = box.diagonal() / 2;
@@ -37,7 +37,7 @@ Rgb View::depth_grey(const CameraRay& camera, double distance) const noexcept {
     return Rgb(static_cast<float>(std::clamp((far - distance) / (far - near), 0.0, 1.0)));
 }
 
-Rgb View::colour(const CameraRay& camera) const noexcept {
+Rgb View::colour(const EyeRay& camera) const noexcept {
     const auto first = first_hit(scene_, camera);
     if (!first) return {};
     const Vec3 n = first->point.frame.n;

@@ -12,11 +12,11 @@ public:
     View(const std::string& name, const CommittedScene& scene, const LightingModule& module);
     /// The colour of a sample, linear; black where the ray meets nothing. Normals are shown as (n + 1) / 2, depth as
     /// white at the near and black at the far end of the scene.
-    [[nodiscard]] Rgb colour(const CameraRay& camera) const noexcept;
+    [[nodiscard]] Rgb colour(const EyeRay& camera) const noexcept;
 
 private:
     enum class Kind { normal, depth, albedo, region, module };
-    [[nodiscard]] Rgb depth_grey(const CameraRay& camera, double distance) const noexcept;
+    [[nodiscard]] Rgb depth_grey(const EyeRay& camera, double distance) const noexcept;
 
     const CommittedScene& scene_;
     const LightingModule& module_;

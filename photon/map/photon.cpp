@@ -1,0 +1,63 @@
+#include "photon/map/photon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cardioid::photon {
+
+namespace {
+
+constexpr float steps = 65534;  ///< even, so that 0 is a step and axes are exact
+
+/// -1 or 1, never 0.
+float sign(float x) { return x < 0 ? -1.0F : 1.0F; }
+
+std::uint32_t to_steps(float x) { return static_cast<std::uint32_t>(std::lround((x * 0.5F + 0.5F) * steps)); }
+float from_steps(std::uint32_t bits) { return static_cast<float>(bits) * (2 / steps) - 1; }
+
+/// Values have 9 bits below 2^(exponent - bias - 9).
+constexpr int bias = 15, mantissa_bits = 9, top_exponent = 31;
+
+}  // namespace
+
+std::uint32_t encode_direction(Vec3 unit) noexcept {
+    const float sum = std::abs(unit.x) + std::abs(unit.y) + std::abs(unit.z);
+    float u = unit.x / sum, v = unit.y / sum;
+    if (unit.z < 0) {
+        const float folded = (1 - std::abs(v)) * sign(u);
+        v = (1 - std::abs(u)) * sign(v);
+        u = folded;
+    }
+    return to_steps(u) | to_steps(v) << 16;
+}
+
+Vec3 decode_direction(std::uint32_t bits) noexcept {
+    float u = from_steps(bits & 0xFFFFU), v = from_steps(bits >> 16);
+    const float z = 1 - std::abs(u) - std::abs(v);
+    if (z < 0) {
+        const float unfolded = (1 - std::abs(v)) * sign(u);
+        v = (1 - std::abs(u)) * sign(v);
+        u = unfolded;
+    }
+    return normalize(Vec3{u, v, z});
+}
+
+std::uint32_t encode_flux(Rgb flux, float scale) noexcept {
+    const Rgb c = flux * (1 / scale);
+    const float largest = max_component(c);
+    if (!(largest > 0)) return 0;
+    // The exponent that puts the largest, once rounded, below 2^9 steps.
+    int exponent = std::clamp(std::ilogb(largest) + 1 + bias, 0, top_exponent);
+    const auto steps_of = [&](float x) { return std::lround(std::ldexp(x, mantissa_bits + bias - exponent)); };
+    if (steps_of(largest) > 511 && exponent < top_exponent) ++exponent;
+    const auto channel = [&](float x) { return static_cast<std::uint32_t>(std::min(steps_of(x), 511L)); };
+    return channel(c.r) | channel(c.g) << 9 | channel(c.b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
+}
+
+Rgb decode_flux(std::uint32_t bits, float scale) noexcept {
+    const float step = std::ldexp(scale, static_cast<int>(bits >> 27) - bias - mantissa_bits);
+    const auto channel = [&](std::uint32_t b) { return static_cast<float>(b & 511U) * step; };
+    return {channel(bits), channel(bits >> 9), channel(bits >> 18)};
+}
+
+}  // namespace cardioid::photon
