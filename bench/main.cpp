@@ -1,8 +1,13 @@
 /// The benchmarks: cardioid_bench [--goals FILE.json] [Google Benchmark's options].
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iterator>
 
+#include "bench/path_tracing.hpp"
+#include "bench/photon_emission.hpp"
+#include "bench/photon_map.hpp"
 #include "bench/subjects.hpp"
 
 namespace {
@@ -32,10 +37,17 @@ int run(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(count, words.data())) return 2;
     Subjects subjects = list_subjects();
     register_benchmarks(subjects);
+    register_photon_map_benchmarks();
+    register_photon_emission_benchmarks();
+    register_path_benchmarks();
     GoalReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    const auto goals = speed_goals(subjects);
-    const auto bounds = memory_bounds(subjects);
+    auto goals = speed_goals(subjects);
+    std::ranges::copy(photon_map_goals(), std::back_inserter(goals));
+    std::ranges::copy(photon_emission_goals(), std::back_inserter(goals));
+    std::ranges::copy(path_goals(), std::back_inserter(goals));
+    auto bounds = memory_bounds(subjects);
+    std::ranges::copy(photon_map_bounds(), std::back_inserter(bounds));
     reporter.print(goals, bounds);
     if (goals_file) reporter.write(goals_file, goals, bounds);
     return 0;

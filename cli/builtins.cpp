@@ -1,8 +1,13 @@
 #include "cli/builtins.hpp"
 
+#include "formats/mesh/write/mesh_formats.hpp"
 #include "formats/openscad/openscad_format.hpp"
+#include "formats/povray/povray_format.hpp"
+#include "photon/lighting/photon_lighting.hpp"
 #include "rt_core/plugin/registry.hpp"
-#include "rt_core/render/direct_lighting.hpp"
+#include "rt_core/render/lighting/direct_lighting.hpp"
+#include "rt_core/render/lighting/path_lighting.hpp"
+#include "rt_core/render/lighting/whitted_lighting.hpp"
 #include "shaders/builtins.hpp"
 
 namespace cardioid::cli {
@@ -13,8 +18,17 @@ void add_builtins(Registry& registry) {
     for (const ShaderKind& kind : shaders::builtin_shaders()) registry.add(kind);
     for (const LightKind& kind : shaders::builtin_lights()) registry.add(kind);
     registry.add(direct_lighting);
+    registry.add(path_lighting);
+    registry.add(whitted_lighting);
+    registry.add(photon::photon_lighting);
     registry.add(formats::csg_format);
     registry.add(formats::scad_format);
+    registry.add(formats::stl_format);
+    registry.add(formats::obj_format);
+    registry.add(formats::ply_format);
+    registry.add(formats::off_format);
+    registry.add(formats::three_mf_format);
+    registry.add(formats::pov_format);
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ struct Command {
 
 constexpr Command commands[] = {
     {"render", "Draw a scene; what is done where no command is named", run_render},
+    {"probe", "Measure the light that arrives at given points", run_probe},
+    {"compare", "Tell by how much two pictures differ", run_compare},
     {"convert", "Write a scene in another format", run_convert},
     {"info", "Tell what is in a scene, or what made a picture", run_info},
     {"check", "Look for faults in a scene", run_check},

@@ -15,6 +15,10 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRE
 find_package(CGAL REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
+# What text() needs: which font, its outlines, and where its glyphs stand.
+pkg_check_modules(text REQUIRED IMPORTED_TARGET fontconfig freetype2 harfbuzz)
+find_package(pugixml REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # Embree 4 (Debian 13) where it is, else 3.13 (Debian 12); rt_core/trace/embree.hpp levels the two.
 find_package(embree 4 QUIET)

@@ -7,7 +7,7 @@ namespace cardioid::shaders {
 
 std::span<const ShaderKind> builtin_shaders() {
     static const ShaderKind kinds[] = {diffuse_kind,    phong_kind,   plastic_kind, mirror_kind, conductor_kind,
-                                       dielectric_kind, emitter_kind, checker_kind, filter_kind};
+                                       dielectric_kind, emitter_kind, checker_kind, filter_kind, pov_finish_kind};
     return kinds;
 }
 

@@ -6,11 +6,16 @@
 #include "cli/builtins.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/describe.hpp"
+#include "cli/commands/describe_map.hpp"
 #include "cli/io/scene_input.hpp"
 #include "cli/io/text_output.hpp"
 #include "cli/terminal/console.hpp"
 #include "csg/compile.hpp"
 #include "csg/measure.hpp"
+#include "csg/measure_area.hpp"
+#include "csg/shapes/mesh_repair.hpp"
+#include "formats/mesh/write/scene_meshes.hpp"
+#include "photon/file/map_reader.hpp"
 #include "rt_core/image/image_file.hpp"
 
 namespace cardioid::cli {
@@ -35,6 +40,39 @@ csg::VolumeEstimate measure(const Region& region) {
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 Json vector(Vec3d v) { return {number(v.x), number(v.y), number(v.z)}; }
 
+/// What is told only where it is asked for.
+struct Wishes {
+    bool area = false, mesh = false;
+};
+
+/// The surface by random lines, until the figure is sure enough.
+void add_area(const Region& whole, Json& json) {
+    constexpr std::int64_t first = 1 << 16, last = 1 << 22;
+    if (!whole.bounds().bounded()) {
+        json["area"] = json["area_standard_error"] = nullptr;
+        return;
+    }
+    csg::AreaEstimate estimate;
+    for (std::int64_t lines = first; lines <= last; lines *= 4) {
+        estimate = csg::measure_area(whole, whole.bounds(), lines, 0);
+        if (estimate.sigma <= good_share * estimate.area) break;
+    }
+    json["area"] = estimate.area;
+    json["area_standard_error"] = estimate.sigma;
+}
+
+/// Volume and surface of the exact mesh, which has no error but that of its chords.
+void add_mesh_figures(const Scene& scene, Json& json) {
+    const TriangleMesh mesh = std::move(formats::scene_meshes(scene, 0, true)[0].mesh);
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        area += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
+    json["mesh_volume"] = csg::volume(mesh);
+    json["mesh_area"] = area;
+    json["mesh_triangles"] = mesh.triangles.size();
+    json["mesh_closed"] = mesh.closed;
+}
+
 Json leaves_json(const SolidTree& tree) {
     std::map<LeafKind, std::size_t> counts;
     for (const Leaf& leaf : tree.leaves) ++counts[leaf.kind];
@@ -52,7 +90,7 @@ Json names_json(const Scene& scene) {
     return {{"materials", materials}, {"lights", lights}, {"cameras", cameras}};
 }
 
-Json scene_json(const Scene& scene) {
+Json scene_json(const Scene& scene, const Wishes& wishes) {
     std::size_t triangles = 0;
     bool closed = true;
     for (const auto& mesh : scene.solids.meshes) triangles += mesh->triangles.size(), closed = closed && mesh->closed;
@@ -66,7 +104,9 @@ Json scene_json(const Scene& scene) {
         const Box3d all = whole->bounds(), box = all.bounded() ? all : bounded_box(csg::compile(scene, {}));
         if (!box.empty()) json["bounds"] = {vector(box.lo), vector(box.hi)};
         volume = measure(*whole);
+        if (wishes.area) add_area(*whole, json);
     }
+    if (wishes.mesh) add_mesh_figures(scene, json);
     json["volume"] = number(volume.volume);
     json["volume_standard_error"] = volume.bounded() ? number(volume.sigma) : Json(nullptr);
     json.update(names_json(scene));
@@ -96,10 +136,21 @@ std::string geometry_text(const Json& json) {
     if (json.contains("bounds"))
         text += fmt::format("bounds: {} to {}{}\n", coordinates(json["bounds"][0]), coordinates(json["bounds"][1]),
                             json["volume"].is_null() ? ", of what is bounded" : "");
-    if (json["volume"].is_null()) return text + "volume: unbounded\n";
-    return text + fmt::format("volume: {:.8g} +- {:.2g}{}\n", json["volume"].get<double>(),
-                              json["volume_standard_error"].get<double>(),
-                              json["meshes_closed"] ? "" : " (means little: a mesh is not closed)");
+    if (json["volume"].is_null())
+        text += "volume: unbounded\n";
+    else
+        text += fmt::format("volume: {:.8g} +- {:.2g}{}\n", json["volume"].get<double>(),
+                            json["volume_standard_error"].get<double>(),
+                            json["meshes_closed"] ? "" : " (means little: a mesh is not closed)");
+    if (json.contains("area"))
+        text += json["area"].is_null() ? "area: unbounded\n"
+                                       : fmt::format("area: {:.8g} +- {:.2g}\n", json["area"].get<double>(),
+                                                     json["area_standard_error"].get<double>());
+    if (json.contains("mesh_volume"))
+        text += fmt::format("exact mesh: volume {:.10g}, area {:.10g}, {} triangles{}\n",
+                            json["mesh_volume"].get<double>(), json["mesh_area"].get<double>(),
+                            json["mesh_triangles"].get<std::size_t>(), json["mesh_closed"] ? "" : ", not closed");
+    return text;
 }
 
 std::string scene_text(const Json& json) {
@@ -144,30 +195,47 @@ std::optional<Json> try_image(const std::string& file) {
     }
 }
 
+/// A file's figures and the same as text.
+struct Report {
+    Json json;
+    std::string text;
+};
+
+Report report_on(const SceneOptions& options, const Wishes& wishes) {
+    if (options.file != "-" && photon::is_map_file(options.file)) {
+        Json json = map_json(options.file);
+        return {json, map_text(json)};
+    }
+    const std::unique_ptr<Registry> registry = open_registry(options.plugins);
+    const std::string content = read_text(options.file);
+    if (!find_reader(options.file, content, *registry))
+        if (std::optional<Json> image = try_image(options.file)) return {*image, image_text(*image)};
+    const Scene scene = read_scene(options, content, *registry);
+    Console console(Loudness::normal, ProgressStyle::none);
+    for (const std::string& warning : scene.warnings) console.warn(warning);
+    Json json = scene_json(scene, wishes);
+    return {json, scene_text(json)};
+}
+
 }  // namespace
 
 int run_info(const std::vector<std::string>& words) {
     SceneOptions options;
+    Wishes wishes;
     std::string json_file;
-    Arguments arguments("info SCENE|IMAGE [options]", "Tells what is in a scene, or what made a picture.");
+    Arguments arguments("info SCENE|IMAGE|MAP [options]",
+                        "Tells what is in a scene or a photon map, or made a picture.");
     arguments.text("--json", "FILE", "Write it as JSON; - is standard output, in place of the text", json_file);
-    add_scene_options(arguments, options, "SCENE|IMAGE");
+    arguments.flag("--area", "Tell the area of the surface, too", wishes.area);
+    arguments.flag("--mesh", "Tell volume and area of the exact mesh, too", wishes.mesh);
+    add_scene_options(arguments, options, "SCENE|IMAGE|MAP");
     if (!arguments.parse(words)) return 0;
     if (!json_file.empty()) check_text_path(json_file);
 
-    const std::unique_ptr<Registry> registry = open_registry(options.plugins);
-    const std::string content = read_text(options.file);
-    std::optional<Json> json;
-    if (!find_reader(options.file, content, *registry)) json = try_image(options.file);
-    const bool image = json.has_value();
-    if (!image) {
-        const Scene scene = read_scene(options, content, *registry);
-        Console console(Loudness::normal, ProgressStyle::none);
-        for (const std::string& warning : scene.warnings) console.warn(warning);
-        json = scene_json(scene);
-    }
-    if (json_file != "-") print_text(image ? image_text(*json) : scene_text(*json));
-    if (!json_file.empty()) write_text(json_file, json->dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    const Report report = report_on(options, wishes);
+    if (json_file != "-") print_text(report.text);
+    if (!json_file.empty())
+        write_text(json_file, report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return 0;
 }
 

@@ -32,6 +32,17 @@ const ParamSpec& find_param(const LightingKind& kind, const std::string& setting
                             known.empty() ? ", nor any other" : ", wanted " + either(known), suggestion(name, known)));
 }
 
+/// Throws Error(bad_input) with the place where the scene's photons(...) names no option of the module.
+void require_param(const LightingKind& kind, const Params& photons, const std::string& name) {
+    std::vector<std::string> known;
+    for (const ParamSpec& param : kind.params) {
+        if (param.name == name) return;
+        known.emplace_back(param.name);
+    }
+    throw Error(ErrorCode::bad_input, fmt::format("{}: photons() has no parameter \"{}\", wanted {}{}", photons.where(),
+                                                  name, either(known), suggestion(name, known)));
+}
+
 ParamValue numbers(std::vector<double> values) {
     const bool list = values.size() > 1;
     return {.kind = ParamValue::Kind::numbers, .numbers = std::move(values), .list = list};
@@ -71,14 +82,17 @@ void apply_setting(const std::string& setting, const Registry& registry, Lightin
 
 }  // namespace
 
-LightingChoice choose_lighting(const RenderOptions& options, const Scene& scene, const Registry& registry) {
+LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, const Registry& registry) {
     const bool photons = !options.photons.empty();
     const std::string name = !options.lighting.empty() ? options.lighting : photons ? "photon" : "direct";
     LightingChoice choice;
     choice.kind = &find_kind(photons ? "--photons" : "--lighting", name, registry);
     choice.params = Params("--set");
     if (name == "photon")
-        for (const auto& [key, value] : scene.photons.all()) choice.params.set(key, value);
+        for (const auto& [key, value] : scene.photons.all()) {
+            require_param(*choice.kind, scene.photons, key);
+            choice.params.set(key, value);
+        }
     if (photons && options.photons != "true") apply_setting("photon.count=" + options.photons, registry, choice);
     for (const std::string& setting : options.settings) apply_setting(setting, registry, choice);
     return choice;

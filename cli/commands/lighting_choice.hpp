@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/options/render_options.hpp"
+#include "cli/options/run_options.hpp"
 #include "rt_core/api/registry.hpp"
 #include "rt_core/scene/scene.hpp"
 
@@ -16,7 +16,7 @@ struct LightingChoice {
 };
 
 /// Throws Error(usage) with the nearest right name where there is no such module or option.
-LightingChoice choose_lighting(const RenderOptions& options, const Scene& scene, const Registry& registry);
+LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, const Registry& registry);
 
 /// Makes the module; what it says against a value of --set is Error(usage).
 std::unique_ptr<LightingModule> make_lighting(const LightingChoice& choice, std::uint32_t seed);

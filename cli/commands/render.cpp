@@ -109,6 +109,11 @@ int render_scene(const RenderOptions& options, const std::string& command, Conso
     RenderReport report{options, scene, committed, *choice.kind, *module, settings, result.statistics, command};
     write_picture(report, result.film);
     watch.lap("write");
+    if (!result.statistics.interrupted && (!options.stats.empty() || console.verbose())) {
+        report.energy = energy_ledger(committed, options.seed);
+        warn_all(ledger_warnings(*report.energy), console);
+        watch.lap("ledger");
+    }
     report.phases_s = watch.phases_s;
     if (!options.stats.empty()) write_text(options.stats, statistics_json(report));
     tell_result(report, console);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "cli/commands/energy_report.hpp"
 #include "cli/version.hpp"
 
 namespace cardioid::cli {
@@ -52,8 +53,12 @@ Json memory(const RenderReport& report) {
 }
 
 Json rays(const RenderStatistics& s) {
-    const std::uint64_t all = s.camera_rays + s.shadow_rays + s.specular_rays;
-    Json json{{"camera", s.camera_rays}, {"shadow", s.shadow_rays}, {"specular", s.specular_rays}, {"all", all}};
+    const std::uint64_t all = s.camera_rays + s.shadow_rays + s.specular_rays + s.bounce_rays;
+    Json json{{"camera", s.camera_rays},
+              {"shadow", s.shadow_rays},
+              {"specular", s.specular_rays},
+              {"bounce", s.bounce_rays},
+              {"all", all}};
     if (s.cpu_seconds > 0) json["all_a_cpu_second"] = static_cast<double>(all) / s.cpu_seconds;
     return json;
 }
@@ -86,10 +91,11 @@ std::string statistics_json(const RenderReport& report) {
     Json seconds = Json::object();
     for (const auto& [phase, time] : report.phases_s) seconds[phase] = time;
     seconds["render_cpu"] = s.cpu_seconds;
-    const Json json{{"versions", versions()},      {"command", report.command}, {"interrupted", s.interrupted},
-                    {"picture", picture(report)},  {"scene", scene(report)},    {"memory_bytes", memory(report)},
-                    {"seconds", seconds},          {"rays", rays(s)},           {"bad_samples", bad_samples(s)},
-                    {"lighting", lighting(report)}};
+    Json json{{"versions", versions()},      {"command", report.command}, {"interrupted", s.interrupted},
+              {"picture", picture(report)},  {"scene", scene(report)},    {"memory_bytes", memory(report)},
+              {"seconds", seconds},          {"rays", rays(s)},           {"bad_samples", bad_samples(s)},
+              {"lighting", lighting(report)}};
+    if (report.energy) json["energy_W"] = energy_json(*report.energy);
     // A file name need not be UTF-8; JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -107,10 +113,12 @@ std::vector<std::string> statistics_lines(const RenderReport& report) {
     std::string times = "seconds:";
     for (const auto& [phase, time] : report.phases_s) times += fmt::format(" {} {:.2f}", phase, time);
     lines.push_back(times);
-    lines.push_back(
-        fmt::format("rays: {} camera, {} shadow, {} specular", s.camera_rays, s.shadow_rays, s.specular_rays));
+    lines.push_back(fmt::format("rays: {} camera, {} shadow, {} specular, {} of bounces", s.camera_rays, s.shadow_rays,
+                                s.specular_rays, s.bounce_rays));
     for (const auto& [name, value] : report.module.statistics())
         std::visit([&, &key = name](const auto& v) { lines.push_back(fmt::format("{}: {}", key, v)); }, value);
+    if (report.energy)
+        for (std::string& line : energy_lines(*report.energy)) lines.push_back(std::move(line));
     return lines;
 }
 

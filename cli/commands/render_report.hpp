@@ -1,10 +1,12 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/options/render_options.hpp"
 #include "rt_core/image/image_file.hpp"
+#include "rt_core/render/measure/energy_ledger.hpp"
 #include "rt_core/render/renderer.hpp"
 
 namespace cardioid::cli {
@@ -20,6 +22,7 @@ struct RenderReport {
     const RenderStatistics& statistics;
     std::string command;                                     ///< recorded_command()
     std::vector<std::pair<std::string, double>> phases_s{};  ///< wall clock seconds, in order
+    std::optional<EnergyLedger> energy{};                    ///< where it is told
 };
 
 /// Version, command line, seed, scene hash, samples. The same for any number of threads.

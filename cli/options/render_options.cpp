@@ -56,11 +56,7 @@ void add_quality_options(Arguments& a, RenderOptions& o) {
             [&](const std::string& text) { o.time_s = to_seconds("--time", text); });
     a.value("--noise", "SHARE", "Sample until the standard error is below: 2%",
             [&](const std::string& text) { o.noise = to_share("--noise", text); });
-    a.value("--seed", "N", "Another N, other noise [0]", [&](const std::string& text) {
-        o.seed = static_cast<std::uint32_t>(to_integer("--seed", text, 0, 0xFFFFFFFFLL));
-    });
-    a.value("-j,--threads", "N", "Threads [all processors]; the picture is the same for any number",
-            [&](const std::string& text) { o.threads = static_cast<int>(to_integer("--threads", text, 1, 4096)); });
+    add_seed_options(a, o, "picture");
 }
 
 void add_camera_options(Arguments& a, RenderOptions& o) {
@@ -79,30 +75,14 @@ void add_camera_options(Arguments& a, RenderOptions& o) {
 
 void add_light_options(Arguments& a, RenderOptions& o) {
     a.group("Light");
-    a.text("--lighting", "NAME", "How light travels; cardioid list lighting names them [direct]", o.lighting);
-    a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many", o.photons);
-    a.flag("--no-photons", "Without photons, whatever the scene says", o.no_photons);
+    add_lighting_options(a, o, "direct");
     a.flag("--ground", "A ground plane under the model", o.ground);
-    a.list("--set", "module.option=value", "An option of a lighting module; cardioid list options names them",
-           o.settings);
-    a.text("--save-map", "FILE", "Keep what the lighting module has made", o.save_map);
-    a.text("--load-map", "FILE", "... and use it again", o.load_map);
 }
 
-void add_message_options(Arguments& a, RenderOptions& o) {
+void add_report_options(Arguments& a, RenderOptions& o) {
     a.group("Messages");
-    a.text("--stats", "FILE", "Write times, counts and memory as JSON", o.stats);
-    a.value("--progress", "auto|bar|lines|none", "How progress is shown [auto: a bar on a terminal, else lines]",
-            [&](const std::string& text) {
-                const std::vector<std::string> names{"auto", "bar", "lines", "none"};
-                o.progress = to_choice("--progress", text, names);
-            });
-    a.flag("-q,--quiet", "Nothing but errors", o.quiet);
-    a.flag("-v,--verbose", "Tell what is done", o.verbose);
-}
-
-void exclude(bool a, bool b, std::string_view names) {
-    if (a && b) throw Error(ErrorCode::usage, fmt::format("{} cannot be given together", names));
+    a.text("--stats", "FILE", "Write times, counts, memory and where the light goes as JSON", o.stats);
+    add_message_options(a, o);
 }
 
 void check(const RenderOptions& o) {
@@ -110,16 +90,10 @@ void check(const RenderOptions& o) {
     exclude(!o.camera.empty(), around, "--camera and -a or -e");
     exclude(!o.camera.empty(), placed, "--camera and --eye or --target");
     exclude(around, placed, "-a or -e and --eye or --target");
-    exclude(!o.photons.empty(), o.no_photons, "--photons and --no-photons");
-    exclude(!o.photons.empty(), !o.lighting.empty() && o.lighting != "photon", "--photons and another --lighting");
-    exclude(o.no_photons, o.lighting == "photon", "--no-photons and --lighting photon");
-    exclude(o.quiet, o.verbose, "-q and -v");
+    check_run_options(o);
     exclude(!o.view.empty(), !o.layers.empty(), "--view and --aov");
-    exclude(!o.save_map.empty(), !o.load_map.empty(), "--save-map and --load-map");
     if (!o.stats.empty() && o.stats == o.output) throw Error(ErrorCode::usage, "--stats and -o name the same file");
     if (o.target && !o.eye) throw Error(ErrorCode::usage, "--target needs --eye");
-    if (!o.photons.empty() && o.photons != "true")
-        to_integer("--photons", o.photons, 1, std::numeric_limits<std::int64_t>::max());
 }
 
 constexpr const char* examples =
@@ -139,7 +113,7 @@ std::optional<RenderOptions> parse_render_options(const std::vector<std::string>
     add_camera_options(arguments, options);
     add_light_options(arguments, options);
     add_scene_options(arguments, options.scene);
-    add_message_options(arguments, options);
+    add_report_options(arguments, options);
     arguments.examples(examples);
     if (!arguments.parse(words)) return std::nullopt;
     check(options);

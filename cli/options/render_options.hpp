@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "cli/io/scene_input.hpp"
-#include "cli/terminal/console.hpp"
+#include "cli/options/run_options.hpp"
 
 namespace cardioid::cli {
 
 /// All that `cardioid render` was told; what is empty was not said.
-struct RenderOptions {
+struct RenderOptions : RunOptions {
     SceneOptions scene;
     std::string output;
     bool half = false;
@@ -25,27 +25,13 @@ struct RenderOptions {
     std::optional<int> samples;
     std::optional<int> quality_samples;  ///< what --quality stands for
     double time_s = 0, noise = 0;
-    std::uint32_t seed = 0;
-    int threads = 0;  ///< 0: as OpenMP has it
 
     std::string camera;
     std::optional<double> azimuth_deg, elevation_deg, fov_deg;
     std::optional<Vec3d> eye, target;
 
-    std::string lighting;
-    std::string photons;  ///< "true" or a count
-    bool no_photons = false;
     bool ground = false;
-    std::vector<std::string> settings;  ///< "module.option=value"
-    std::string save_map, load_map;
-
     std::string stats;
-    std::string progress = "auto";
-    bool quiet = false, verbose = false;
-
-    [[nodiscard]] Loudness loudness() const {
-        return quiet ? Loudness::quiet : verbose ? Loudness::verbose : Loudness::normal;
-    }
 };
 
 /// Reads the command line of `render`. Nothing: help was printed. Throws Error(usage).

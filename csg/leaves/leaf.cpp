@@ -61,9 +61,10 @@ Vec3d local_normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
     return {0, 0, 1};
 }
 
-bool is_diagonal(const Affine& m) {
-    return m.row[0].y == 0 && m.row[0].z == 0 && m.row[1].x == 0 && m.row[1].z == 0 && m.row[2].x == 0 &&
-           m.row[2].y == 0;
+/// Whether m maps axes to axes: a scaling, perhaps with quarter turns.
+bool keeps_axes(const Affine& m) {
+    const auto one = [](const Vec3d& row) { return (row.x != 0) + (row.y != 0) + (row.z != 0) == 1; };
+    return one(m.row[0]) && one(m.row[1]) && one(m.row[2]);
 }
 
 /// The radius where m scales all directions alike, else 0.
@@ -159,27 +160,28 @@ std::size_t Shape::memory_bytes() const noexcept {
     return bytes;
 }
 
-void append_events(const SolvedLeaf& leaf, std::uint32_t index, Vec3d o, Vec3d d, EventList& out) {
-    switch (leaf.solver) {
-        case Solver::ball:
-            return append(ball_span(leaf.t, leaf.a, o, d), index, out);
-        case Solver::axis_box:
-            return append(axis_box_span(leaf.t, leaf.row[0], o, d), index, out);
-        default:
-            break;
-    }
+Span convex_leaf_span(const SolvedLeaf& leaf, Vec3d o, Vec3d d) {
+    if (leaf.solver == Solver::ball) return ball_span(leaf.t, leaf.a, o, d);
+    if (leaf.solver == Solver::axis_box) return axis_box_span(leaf.t, leaf.row[0], o, d);
     const Vec3d lo = leaf.point(o), ld = leaf.vector(d);
     switch (leaf.solver) {
         case Solver::ellipsoid:
-            return append(unit_sphere_span(lo, ld), index, out);
+            return unit_sphere_span(lo, ld);
         case Solver::box:
-            return append(axis_box_span({0, 0, 0}, {1, 1, 1}, lo, ld), index, out);
+            return axis_box_span({0, 0, 0}, {1, 1, 1}, lo, ld);
         case Solver::cone:
-            return append(cone_span(leaf.a, leaf.b, lo, ld), index, out);
+            return cone_span(leaf.a, leaf.b, lo, ld);
         case Solver::half_space:
-            return append(half_space_span(lo, ld), index, out);
-        case Solver::convex:
-            return append(convex_span(leaf.shape->planes, lo, ld), index, out);
+            return half_space_span(lo, ld);
+        default:
+            return convex_span(leaf.shape->planes, lo, ld);
+    }
+}
+
+void append_events(const SolvedLeaf& leaf, std::uint32_t index, Vec3d o, Vec3d d, EventList& out) {
+    if (is_convex(leaf.solver)) return append(convex_leaf_span(leaf, o, d), index, out);
+    const Vec3d lo = leaf.point(o), ld = leaf.vector(d);
+    switch (leaf.solver) {
         case Solver::torus:
             return append_torus(leaf, index, lo, ld, out);
         case Solver::prism:
@@ -191,13 +193,7 @@ void append_events(const SolvedLeaf& leaf, std::uint32_t index, Vec3d o, Vec3d d
     }
 }
 
-Vec3d normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
-    if (leaf.solver == Solver::ball) return normalize(p - leaf.t);
-    if (leaf.solver == Solver::axis_box) {
-        Vec3d n;
-        n[static_cast<int>(face / 2)] = face % 2 ? 1 : -1;
-        return n;
-    }
+Vec3d turned_normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
     const Vec3d n = leaf.transposed_vector(local_normal(leaf, face, leaf.point(p)));
     const double size = length(n);
     return size > 0 ? n * (1 / size) : Vec3d{0, 0, 1};
@@ -234,7 +230,7 @@ SolvedLeaf solve(const Leaf& leaf, const Shape* shape) {
     SolvedLeaf out;
     out.a = leaf.a, out.b = leaf.b, out.material = leaf.material == Leaf::no_material ? 0 : leaf.material,
     out.shape = shape;
-    if (leaf.kind == LeafKind::box && is_diagonal(leaf.to_world)) {
+    if (leaf.kind == LeafKind::box && keeps_axes(leaf.to_world)) {
         const Vec3d corner = leaf.to_world.point({1, 1, 1});
         out.solver = Solver::axis_box;
         out.t = min(leaf.to_world.t, corner), out.row[0] = max(leaf.to_world.t, corner);

@@ -22,20 +22,21 @@ inline Event make_event(double t, std::uint32_t leaf, std::uint32_t face, bool e
     return {t, leaf, face & 0x7FFFFFFFU, entering ? 1U : 0U};
 }
 
-/// How a leaf is solved; more kinds than a scene has, because common cases have quicker solvers.
+/// How a leaf is solved; more kinds than a scene has, because common cases have quicker solvers. The convex ones first.
 enum class Solver : std::uint8_t {
     ball,
     ellipsoid,
     axis_box,
     box,
     cone,
-    torus,
     half_space,
     convex,
+    torus,
     prism,
     revolution,
     mesh
 };
+constexpr bool is_convex(Solver solver) { return solver <= Solver::convex; }
 
 /// n.p <= d is inside.
 struct Plane {
@@ -72,8 +73,14 @@ using EventList = std::vector<Event>;
 /// All of the line counts, also t < 0.
 void append_events(const SolvedLeaf& leaf, std::uint32_t index, Vec3d o, Vec3d d, EventList& out);
 
-/// Unit normal, out of the leaf, of `face` at the world point p on it.
-Vec3d normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p);
+/// Unit normal, out of the leaf, of `face` at the world point p on it; turned_normal() where the leaf has a map.
+Vec3d turned_normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p);
+inline Vec3d normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
+    if (leaf.solver == Solver::ball) return normalize(p - leaf.t);
+    if (leaf.solver != Solver::axis_box) return turned_normal(leaf, face, p);
+    const double side = face % 2 ? 1 : -1;
+    return {face / 2 == 0 ? side : 0, face / 2 == 1 ? side : 0, face / 2 == 2 ? side : 0};
+}
 
 /// The leaf with the quickest solver; `shape` must outlive it, null for kinds that need none. Its determinant is not
 /// zero.

@@ -1,5 +1,6 @@
 #pragma once
 /// The solvers behind append_events, one file a family; all in the leaf's local space.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -39,12 +40,32 @@ inline Span ball_span(Vec3d centre, double radius, Vec3d o, Vec3d d) {
     return {middle - half, middle + half};
 }
 
+/// Where the line is inside a convex leaf.
+Span convex_leaf_span(const SolvedLeaf& leaf, Vec3d o, Vec3d d);
 Span unit_sphere_span(Vec3d o, Vec3d d);
+/// Faces 0 to 5: x low, x high, y low ...
 inline Span axis_box_span(Vec3d lo, Vec3d hi, Vec3d o, Vec3d d) {
-    Span span{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    clip(span, o.x, d.x, lo.x, hi.x, 0, 1);
-    clip(span, o.y, d.y, lo.y, hi.y, 2, 3);
-    clip(span, o.z, d.z, lo.z, hi.z, 4, 5);
+    // No branch on numbers that change from ray to ray: a processor that guesses wrong waits longer than all this
+    // takes.
+    double near[3], far[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(d[axis]) < 1e-300) {  // too small to invert
+            if (o[axis] <= lo[axis] || o[axis] >= hi[axis]) return no_span;
+            near[axis] = -std::numeric_limits<double>::infinity();
+            far[axis] = std::numeric_limits<double>::infinity();
+            continue;
+        }
+        const double inverse = 1 / d[axis];
+        const double a = (lo[axis] - o[axis]) * inverse, b = (hi[axis] - o[axis]) * inverse;
+        near[axis] = std::min(a, b);
+        far[axis] = std::max(a, b);
+    }
+    Span span{std::max(near[0], std::max(near[1], near[2])), std::min(far[0], std::min(far[1], far[2]))};
+    if (span.empty()) return no_span;
+    const std::uint32_t in = span.t0 == near[0] ? 0 : span.t0 == near[1] ? 1 : 2;
+    const std::uint32_t out = span.t1 == far[0] ? 0 : span.t1 == far[1] ? 1 : 2;
+    span.face0 = 2 * in + (d[static_cast<int>(in)] < 0 ? 1 : 0);
+    span.face1 = 2 * out + (d[static_cast<int>(out)] < 0 ? 0 : 1);
     return span;
 }
 

@@ -31,15 +31,19 @@ bool LeafRegion::first_of(const Event* begin, const Event* end, const Ray& ray, 
     return false;
 }
 
-bool LeafRegion::first_boundary(const Ray& ray, std::uint32_t, Hit& hit) const noexcept {
-    if (leaf_.solver == Solver::ball) {  // thousands of them are common, and a call and a list cost as much as the rest
-        const Span span = ball_span(leaf_.t, leaf_.a, ray.o, ray.d);
-        if (span.empty() || span.t1 <= 0 || span.t0 >= ray.t_max) return false;
-        const Event both[2] = {make_event(span.t0, 0, span.face0, true), make_event(span.t1, 0, span.face1, false)};
-        return first_of(both, both + 2, ray, hit);
-    }
+bool LeafRegion::first_boundary(const Ray& ray, std::uint32_t self, Hit& hit) const noexcept {
+    // Who leaves a convex solid outward does not meet it again.
+    if (ray.from.region == self && is_convex(leaf_.solver) && dot(Vec3d(ray.from_ng), ray.d) > 0) return false;
+    if (is_convex(leaf_.solver)) return first_of(convex_leaf_span(leaf_, ray.o, ray.d), ray, hit);
     const EventList& list = events(ray);
     return first_of(list.data(), list.data() + list.size(), ray, hit);
+}
+
+/// Without a list, which costs as much as the rest.
+bool LeafRegion::first_of(const Span& span, const Ray& ray, Hit& hit) const noexcept {
+    if (span.empty() || span.t1 <= 0 || span.t0 >= ray.t_max) return false;
+    const Event both[2] = {make_event(span.t0, 0, span.face0, true), make_event(span.t1, 0, span.face1, false)};
+    return first_of(both, both + 2, ray, hit);
 }
 
 Sides LeafRegion::sides(Vec3d p, Vec3d n) const noexcept {

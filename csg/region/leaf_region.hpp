@@ -1,8 +1,11 @@
 #pragma once
+#include "csg/leaves/area.hpp"
 #include "csg/region/tolerances.hpp"
 #include "rt_core/trace/region.hpp"
 
 namespace cardioid::csg {
+
+struct Span;
 
 /// A solid of one leaf: what unions of thousands of parts are made of. 192 bytes.
 class LeafRegion final : public Region {
@@ -15,10 +18,12 @@ public:
     [[nodiscard]] std::uint32_t material(std::uint32_t) const noexcept override { return leaf_.material; }
     [[nodiscard]] std::uint32_t interior_material(Vec3d) const noexcept override { return leaf_.material; }
     [[nodiscard]] std::size_t leaf_count() const noexcept override { return 1; }
+    [[nodiscard]] double area() const noexcept override { return leaf_area(leaf_); }
     [[nodiscard]] std::size_t memory_bytes() const noexcept override;
 
 private:
     [[nodiscard]] bool first_of(const Event* begin, const Event* end, const Ray& ray, Hit& hit) const noexcept;
+    [[nodiscard]] bool first_of(const Span& span, const Ray& ray, Hit& hit) const noexcept;
     /// The events along the ray, in the thread's buffer.
     [[nodiscard]] const EventList& events(const Ray& ray) const noexcept;
 

@@ -16,6 +16,14 @@ struct MeshText {
 void read_stl(const MeshText& text, MeshBuilder& mesh);
 void read_obj(const MeshText& text, MeshBuilder& mesh);
 void read_ply(const MeshText& text, MeshBuilder& mesh);
+void read_off(const MeshText& text, MeshBuilder& mesh);
+/// As XML or within a ZIP archive; all objects where they stand, numbers as written: the unit and constellations are
+/// ignored, as by OpenSCAD 2021.01.
+void read_amf(const MeshText& text, MeshBuilder& mesh);
+/// All objects as the build places them, in millimetres.
+void read_3mf(const MeshText& text, MeshBuilder& mesh);
+/// Text or GLB; all triangles of the scene as its nodes place them, y up becoming z up.
+void read_gltf(const MeshText& text, MeshBuilder& mesh);
 
 /// Whether the bytes are as long as a binary STL's triangle count says.
 bool is_binary_stl(std::string_view bytes);

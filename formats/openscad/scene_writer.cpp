@@ -242,6 +242,6 @@ private:
 
 }  // namespace
 
-std::string write_scene(const Scene& scene) { return SceneWriter(scene).run(); }
+std::string write_scene(const Scene& scene, const WriteOptions&) { return SceneWriter(scene).run(); }
 
 }  // namespace cardioid::formats::openscad

@@ -1,6 +1,7 @@
 #include "photon/map/photon.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cardioid::photon {
@@ -12,11 +13,13 @@ constexpr float steps = 65534;  ///< even, so that 0 is a step and axes are exac
 /// -1 or 1, never 0.
 float sign(float x) { return x < 0 ? -1.0F : 1.0F; }
 
-std::uint32_t to_steps(float x) { return static_cast<std::uint32_t>(std::lround((x * 0.5F + 0.5F) * steps)); }
+std::uint32_t to_steps(float x) {
+    return static_cast<std::uint32_t>((x * 0.5F + 0.5F) * steps + 0.5F);  // NOLINT(bugprone-incorrect-roundings): > 0
+}
 float from_steps(std::uint32_t bits) { return static_cast<float>(bits) * (2 / steps) - 1; }
 
 /// Values have 9 bits below 2^(exponent - bias - 9).
-constexpr int bias = 15, mantissa_bits = 9, top_exponent = 31;
+constexpr int bias = 15, mantissa_bits = 9, top_exponent = 31, float_bias = 127;
 
 }  // namespace
 
@@ -46,18 +49,17 @@ std::uint32_t encode_flux(Rgb flux, float scale) noexcept {
     const Rgb c = flux * (1 / scale);
     const float largest = max_component(c);
     if (!(largest > 0)) return 0;
-    // The exponent that puts the largest, once rounded, below 2^9 steps.
-    int exponent = std::clamp(std::ilogb(largest) + 1 + bias, 0, top_exponent);
-    const auto steps_of = [&](float x) { return std::lround(std::ldexp(x, mantissa_bits + bias - exponent)); };
-    if (steps_of(largest) > 511 && exponent < top_exponent) ++exponent;
-    const auto channel = [&](float x) { return static_cast<std::uint32_t>(std::min(steps_of(x), 511L)); };
+    // The exponent that puts the largest, once rounded, below 2^9 steps; taken from the bits of the float, for photons
+    // are stored by the million.
+    const int power = static_cast<int>(std::bit_cast<std::uint32_t>(largest) >> 23) - float_bias;
+    int exponent = std::clamp(power + 1 + bias, 0, top_exponent);
+    const auto steps_of = [&](float x) {
+        const int shift = mantissa_bits + bias - exponent + float_bias;
+        return std::min(x * std::bit_cast<float>(static_cast<std::uint32_t>(shift) << 23), 511.75F) + 0.5F;
+    };
+    if (steps_of(largest) >= 512 && exponent < top_exponent) ++exponent;
+    const auto channel = [&](float x) { return std::min(static_cast<std::uint32_t>(steps_of(x)), 511U); };
     return channel(c.r) | channel(c.g) << 9 | channel(c.b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
-}
-
-Rgb decode_flux(std::uint32_t bits, float scale) noexcept {
-    const float step = std::ldexp(scale, static_cast<int>(bits >> 27) - bias - mantissa_bits);
-    const auto channel = [&](std::uint32_t b) { return static_cast<float>(b & 511U) * step; };
-    return {channel(bits), channel(bits >> 9), channel(bits >> 18)};
 }
 
 }  // namespace cardioid::photon

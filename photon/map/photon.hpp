@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cstdint>
 
 #include "rt_core/api/math.hpp"
@@ -23,7 +24,12 @@ constexpr bool has(Way set, Way bit) { return (static_cast<int>(set) & static_ca
 /// Three floats >= 0 with one 5-bit exponent and 9 bits each, rounded (the shared-exponent format of OpenGL 3.0);
 /// the exponent is offset by `scale` 2^n, so that fluxes of any unit fit: values are stored divided by it.
 [[nodiscard]] std::uint32_t encode_flux(Rgb flux, float scale) noexcept;
-[[nodiscard]] Rgb decode_flux(std::uint32_t bits, float scale) noexcept;
+[[nodiscard]] inline Rgb decode_flux(std::uint32_t bits, float scale) noexcept {
+    constexpr std::uint32_t float_bias = 127, bias = 15, mantissa_bits = 9;
+    const float step = scale * std::bit_cast<float>(((bits >> 27) + (float_bias - bias - mantissa_bits)) << 23);
+    const auto channel = [step](std::uint32_t b) { return static_cast<float>(b & 511U) * step; };
+    return {channel(bits), channel(bits >> 9), channel(bits >> 18)};
+}
 
 /// Light that met a surface. 32 bytes (ARL-TR-3608, note [4], with what the note leaves out: where the light came from
 /// and on which surface it fell).
@@ -37,5 +43,15 @@ struct Photon {
     std::uint16_t time;  ///< within the shutter, 0 to 65535
 };
 static_assert(sizeof(Photon) == 32);
+
+/// A photon without its place, which PointTree keeps apart.
+struct PhotonPayload {
+    std::uint32_t flux, wi;
+    Way way;
+    std::uint16_t time;
+};
+[[nodiscard]] constexpr PhotonPayload payload_of(const Photon& photon) noexcept {
+    return {photon.flux, photon.wi, photon.way, photon.time};
+}
 
 }  // namespace cardioid::photon

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rt_core/api/params.hpp"
 
@@ -22,6 +23,15 @@ struct ReadOptions {
     std::string materials_file;          ///< its name, for messages
 };
 
+/// What a writer is told besides the scene.
+struct WriteOptions {
+    bool photons = false;       ///< --photons: light is to travel between surfaces, as far as the format can say so
+    bool light_arrays = false;  ///< --pov-lights=area: a lamp is one light of the other program, not many points
+    int light_grid = 8;         ///< --pov-grid: K, where a lamp becomes K x K points
+    double tolerance = 0;       ///< --tolerance: of meshes from curved surfaces [units]; 0: 1e-4 of the scene's size
+    std::vector<std::string>* notes = nullptr;  ///< gets what the format cannot express, as "file:line:column: text"
+};
+
 /// A kind of scene file in the registry.
 struct Format {
     const char* name;
@@ -32,7 +42,7 @@ struct Format {
     /// Fills a Scene from the text; `file` is for messages and base_dir. Throws Error. Null: cannot be read.
     Scene (*read)(const std::string& text, const std::string& file, const ReadOptions&);
     /// The scene as the text of this format. Throws Error. Null: cannot be written.
-    std::string (*write)(const Scene&);
+    std::string (*write)(const Scene&, const WriteOptions&);
 };
 
 }  // namespace cardioid

@@ -56,6 +56,9 @@ public:
     virtual void prepare(Vec3d /*centre*/, double /*radius*/) {}
     /// Called once for a lamp with shape(): the id that rays will report for it, for LightEmission::ray.from.
     virtual void set_face(FaceId) {}
+    /// K where this light stands for K x K points of equal power (0: for all its surface): sample() then gives the
+    /// point of the stratum that u lies in.
+    [[nodiscard]] virtual int grid() const noexcept { return 0; }
 };
 
 /// What a light's maker gets.

@@ -25,7 +25,9 @@ public:
     [[nodiscard]] virtual Hit intersect(const Ray& ray) const noexcept = 0;
     /// Whether anything stands in (0, t_max).
     [[nodiscard]] virtual bool occluded(const Ray& ray) const noexcept = 0;
-    /// Share of light that gets from ray.o to t_max: 0 behind anything opaque, filtered by thin colour filters.
+    /// Share of light that gets from ray.o to t_max: 0 behind anything opaque, less what materials with straight
+    /// shadows take. The medium at ray.o is taken to fill the whole way, and what it absorbs is left to the caller; what
+    /// other media on the way absorb more, or less, is in the share.
     [[nodiscard]] virtual Rgb transmittance(const Ray& ray) const noexcept = 0;
     /// All about the point that `hit` found on `ray`, media on both sides included.
     [[nodiscard]] virtual SurfacePoint surface(const Ray& ray, const Hit& hit) const noexcept = 0;
@@ -49,6 +51,10 @@ public:
     /// [9]).
     [[nodiscard]] virtual Rgb direct(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
                                      Sampler& sampler) const noexcept = 0;
+
+    /// Index into lights() of the light that a face belongs to, its lamp's or its emissive solid's; -1 where it belongs
+    /// to none.
+    [[nodiscard]] virtual std::int32_t light_of(FaceId face) const noexcept = 0;
 
     /// The Bsdf at a point; shorthand for materials()[point.material].shader->bsdf.
     [[nodiscard]] const Bsdf* bsdf(const SurfacePoint& point, BsdfMemory& memory) const noexcept {

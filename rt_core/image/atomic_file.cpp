@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <utility>
 
 #include "rt_core/api/error.hpp"
 
@@ -29,22 +30,6 @@ fs::path resolved(const std::string& path) {
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// Writes and closes; returns errno of what failed, or 0.
-int write_and_close(int file, std::span<const std::byte> bytes, bool regular) {
-    int error = 0;
-    while (!bytes.empty() && error == 0) {
-        const ssize_t n = ::write(file, bytes.data(), bytes.size());
-        if (n >= 0)
-            bytes = bytes.subspan(static_cast<std::size_t>(n));
-        else if (errno != EINTR)
-            error = errno;
-    }
-    // Some file systems tell of a full disk only now.
-    if (regular && error == 0 && ::fsync(file) != 0) error = errno;
-    if (::close(file) != 0 && error == 0) error = errno;
-    return error;
-}
-
 /// A new file in the folder, with the permissions the user's mask leaves.
 int open_temporary(const fs::path& folder, fs::path& name) {
     static std::atomic<unsigned> counter{0};
@@ -57,25 +42,49 @@ int open_temporary(const fs::path& folder, fs::path& name) {
 
 }  // namespace
 
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
-    const fs::path target = resolved(path);
+AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(resolved(path)) {
     std::error_code ignored;
-    const fs::file_status status = fs::status(target, ignored);
-    if (fs::is_directory(status)) fail(path, EISDIR);
+    const fs::file_status status = fs::status(target_, ignored);
+    if (fs::is_directory(status)) fail(path_, EISDIR);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-        if (file < 0) fail(path, errno);
-        if (const int error = write_and_close(file, bytes, false)) fail(path, error);
+        file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (file_ < 0) fail(path_, errno);
         return;
     }
     fs::path temporary;
-    const int file = open_temporary(folder_of(target), temporary);
-    if (file < 0) fail(path, errno);
-    int error = write_and_close(file, bytes, true);
-    if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error == 0) return;
-    ::unlink(temporary.c_str());
-    fail(path, error);
+    file_ = open_temporary(folder_of(target_), temporary);
+    if (file_ < 0) fail(path_, errno);
+    temporary_ = temporary;
+}
+
+AtomicFile::~AtomicFile() {
+    if (file_ >= 0) ::close(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(file_, bytes.data(), bytes.size());
+        if (n >= 0)
+            bytes = bytes.subspan(static_cast<std::size_t>(n));
+        else if (errno != EINTR)
+            fail(path_, errno);
+    }
+}
+
+void AtomicFile::commit() {
+    // Some file systems tell of a full disk only now.
+    if (!temporary_.empty() && ::fsync(file_) != 0) fail(path_, errno);
+    if (::close(std::exchange(file_, -1)) != 0) fail(path_, errno);
+    if (temporary_.empty()) return;
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+    temporary_.clear();
+}
+
+void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 void check_writable(const std::string& path) {

@@ -1,5 +1,7 @@
 #include "rt_core/render/camera_path.hpp"
 
+#include <utility>
+
 #include "rt_core/render/ray_counts.hpp"
 
 namespace cardioid {
@@ -17,41 +19,85 @@ Rgb transmitted(const Medium& medium, double length) {
     return exp(medium.absorption * -t);
 }
 
-/// Follows the specular chain that begins at the eye. The derived class is told of what is on its way:
+/// Of so many boundaries both ways are followed, if the weaker one keeps this share of what the eye gets; later one of
+/// them by chance. Reflections of lamps in glass are bright and rare, and would be specks.
+constexpr int most_splits = 3;
+constexpr float least_share = 1e-3F;
+/// The last of the numbers that choose a lobe.
+constexpr float last_choice = 1 - 0x1p-24F;
+
+constexpr Lobe followed = Lobe::specular | Lobe::transmitted;
+
+/// The mirrored and the transmitted way of a boundary, each with its whole weight; black where there are not two.
+struct BothWays {
+    BsdfSample mirrored, through;
+
+    BothWays(const Bsdf& bsdf, Vec3 wo, Vec2 u) noexcept {
+        BsdfSample first = bsdf.sample(wo, 0, u, followed), last = bsdf.sample(wo, last_choice, u, followed);
+        if (any(first.lobe & Lobe::transmitted)) std::swap(first, last);
+        const float weight = max_component(first.weight);
+        if (any(first.lobe & Lobe::transmitted) || !any(last.lobe & Lobe::transmitted) || !(weight > 0)) return;
+        // What the mirror reflects by itself is its weight times the chance that it is chosen.
+        const float chance = max_component(bsdf.sample(wo, 0, u, Lobe::specular).weight) / weight;
+        if (!(chance > 0 && chance < 1)) return;
+        mirrored = first, through = last;
+        mirrored.weight *= chance;
+        through.weight *= 1 - chance;
+    }
+    [[nodiscard]] float weaker() const noexcept {
+        return std::min(max_component(mirrored.weight), max_component(through.weight));
+    }
+};
+
+/// Follows the specular chains that begin at the eye. The derived class is told of what is on their way:
 /// add_light(L) of light met, scatter(point, bsdf, wo) of points with lobes of finite width.
 template <class Derived>
 class Path {
 public:
     Path(const CommittedScene& scene, const EyeRay& camera, Sampler& sampler)
-        : scene_(scene), sampler_(sampler), camera_(camera), ray_(camera.ray), medium_(camera.medium) {}
+        : scene_(scene), sampler_(sampler), camera_(camera), at_{.ray = camera.ray, .medium = camera.medium} {}
 
     void follow() noexcept {
-        for (bounces_ = 0; bounces_ < most_bounces; ++bounces_)
-            if (!step()) break;
+        for (;;) {
+            while (at_.bounces < most_bounces && step()) ++at_.bounces;
+            if (waiting_count_ == 0) return;
+            at_ = waiting_[--waiting_count_];
+        }
     }
 
 protected:
+    /// The end of a chain so far.
+    struct Place {
+        Ray ray;
+        const Medium* medium;
+        Rgb throughput{1};
+        double distance = 0;
+        int bounces = 0, splits = 0;
+        bool straight = true;  ///< nothing has bent the ray yet, so it shows the backdrop
+    };
+
+    [[nodiscard]] Rgb throughput() const noexcept { return at_.throughput; }
+    [[nodiscard]] int bounces() const noexcept { return at_.bounces; }
+
     const CommittedScene& scene_;
     Sampler& sampler_;
-    Rgb throughput_{1};
-    int bounces_ = 0;
 
 private:
     [[nodiscard]] Derived& derived() noexcept { return static_cast<Derived&>(*this); }
 
-    /// One segment and the surface at its end; false where the path ends.
+    /// One segment and the surface at its end; false where the chain ends.
     bool step() noexcept {
-        const Hit hit = scene_.intersect(ray_);
-        throughput_ *= transmitted(*medium_, hit.t);
+        const Hit hit = scene_.intersect(at_.ray);
+        at_.throughput *= transmitted(*at_.medium, hit.t);
         if (!hit.found()) {
-            const Vec3 d(ray_.d);
-            derived().add_light(straight_ ? scene_.backdrop(d) : scene_.escaped(d));
+            const Vec3 d(at_.ray.d);
+            derived().add_light(at_.straight ? scene_.backdrop(d) : scene_.escaped(d));
             return false;
         }
-        distance_ += hit.t;
-        SurfacePoint point = scene_.surface(ray_, hit);
-        point.footprint = camera_.pixel + camera_.spread * distance_;
-        const Vec3 wo(-ray_.d);
+        at_.distance += hit.t;
+        SurfacePoint point = scene_.surface(at_.ray, hit);
+        point.footprint = camera_.pixel + camera_.spread * at_.distance;
+        const Vec3 wo(-at_.ray.d);
         derived().add_light(scene_.emitted(point, wo));
         if (point.lamp >= 0) return false;
         BsdfMemory memory;
@@ -63,32 +109,44 @@ private:
     /// Goes on by a delta lobe; false where there is none or the roulette is lost.
     bool bounce(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo) noexcept {
         const Vec3 wo_local = point.frame.to_local(wo);
-        const float u_lobe = sampler_.next();
-        const BsdfSample s = bsdf.sample(wo_local, u_lobe, sampler_.next2(), Lobe::specular | Lobe::transmitted);
-        throughput_ *= s.weight;
-        if (is_black(throughput_)) return false;
-        if (bounces_ >= sure_bounces) {
-            const float chance = std::min(best_chance, max_component(throughput_));
-            if (!(sampler_.next() < chance)) return false;
-            throughput_ *= 1 / chance;
+        if (at_.splits < most_splits && any(bsdf.lobes() & Lobe::transmitted)) {
+            const BothWays both(bsdf, wo_local, sampler_.next2());
+            if (both.weaker() * max_component(at_.throughput) > least_share) {
+                ++at_.splits;
+                Place& other = waiting_[waiting_count_++] = at_;
+                leave(other, point, wo_local, both.mirrored);
+                ++other.bounces;
+                leave(at_, point, wo_local, both.through);
+                return true;
+            }
         }
+        const float u_lobe = sampler_.next();
+        const BsdfSample s = bsdf.sample(wo_local, u_lobe, sampler_.next2(), followed);
+        if (is_black(at_.throughput * s.weight)) return false;
+        leave(at_, point, wo_local, s);
+        if (at_.bounces < sure_bounces) return true;
+        const float chance = std::min(best_chance, max_component(at_.throughput));
+        at_.throughput *= 1 / chance;
+        return sampler_.next() < chance;
+    }
+
+    static void leave(Place& place, const SurfacePoint& point, Vec3 wo_local, const BsdfSample& s) noexcept {
+        place.throughput *= s.weight;
         const Vec3 wi = point.frame.to_world(s.wi);
-        medium_ = dot(point.ng, wi) > 0 ? point.front : point.back;
+        place.medium = dot(point.ng, wi) > 0 ? point.front : point.back;
         // A filter does not bend the ray at all: rounding must not either.
         const bool unbent = s.wi == -wo_local;
-        straight_ = straight_ && unbent;
-        const Vec3d d = unbent ? ray_.d : Vec3d(wi);
-        ray_ = point.ray(wi);
-        ray_.d = d;
+        place.straight = place.straight && unbent;
+        const Vec3d d = unbent ? place.ray.d : Vec3d(wi);
+        place.ray = point.ray(wi);
+        place.ray.d = d;
         ++ray_counts.specular;
-        return true;
     }
 
     const EyeRay& camera_;
-    Ray ray_;
-    const Medium* medium_;
-    double distance_ = 0;
-    bool straight_ = true;  ///< nothing has bent the ray yet, so it shows the backdrop
+    Place at_;
+    Place waiting_[most_splits];
+    int waiting_count_ = 0;
 };
 
 /// Gathers light into picture layers.
@@ -107,7 +165,7 @@ public:
 
 private:
     void add(Rgb LightParts::*part, Rgb L) noexcept {
-        (bounces_ == 0 ? parts_.*part : parts_.specular) += throughput_ * L;
+        (bounces() == 0 ? parts_.*part : parts_.specular) += throughput() * L;
     }
 
     const LightingModule& module_;
@@ -123,7 +181,7 @@ public:
 
     void add_light(Rgb) noexcept {}
     void scatter(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo) noexcept {
-        see_({point, bsdf, wo, throughput_, bounces_});
+        see_({point, bsdf, wo, throughput(), bounces()});
     }
 
 private:

@@ -14,6 +14,8 @@ namespace {
 
 /// Surfaces in a row that a ray may pass because they bound nothing or only filter.
 constexpr int most_passed = 10'000;
+/// Lines that the power of emissive solids may take, of one and of all together: less than a second.
+constexpr std::size_t all_power_lines = 1 << 22, fewest_power_lines = 1 << 12, most_power_lines = 1 << 20;
 /// The ground lies this share of the model's size under it, so that it touches no face.
 constexpr double ground_gap = 1e-4;
 
@@ -58,7 +60,7 @@ CommittedScene::CommittedScene(const Scene& scene, const Registry& registry, con
             studio.lights = hashed.lights = studio_lights(registry);
             lights_ = make_lights(studio, registry);
         }
-        if (lights_.empty()) warnings_.push_back(scene.file + ": no light: the picture will be black");
+        if (lights_.empty()) warnings_.push_back(scene.file + ": no light: all will be black");
     }
     hash_ = mix64(scene_hash(hashed) + (options.ground ? 1 : 0));
 
@@ -80,7 +82,7 @@ CommittedScene::CommittedScene(const Scene& scene, const Registry& registry, con
     const Box3d box = bounds();
     for (const auto& light : lights_)
         light->prepare(box.empty() ? Vec3d{} : box.centre(), box.diagonal() > 0 ? box.diagonal() / 2 : 1);
-    plan_direct_light();
+    next_event_ = std::make_unique<NextEvent>(*this);
 }
 
 void CommittedScene::make_tracer(Geometry geometry) {
@@ -109,12 +111,17 @@ void CommittedScene::add_emissive_lights() {
         region_light_[id] = static_cast<std::int32_t>(lights_.size());
         lights_.push_back(std::move(light));
     };
+    std::vector<std::uint32_t> emitting;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         bool emits = false;
         for (std::uint32_t leaf = 0; leaf < regions[i]->leaf_count() && !emits; ++leaf)
             emits = emissive[regions[i]->material(leaf)];
-        if (emits) add(i, std::make_unique<EmissiveRegion>(*regions[i], static_cast<std::uint32_t>(i), materials_));
+        if (emits) emitting.push_back(static_cast<std::uint32_t>(i));
     }
+    const auto most_lines = static_cast<std::uint32_t>(
+        std::clamp(all_power_lines / std::max<std::size_t>(1, emitting.size()), fewest_power_lines, most_power_lines));
+    for (const std::uint32_t i : emitting)
+        add(i, std::make_unique<EmissiveRegion>(*regions[i], i, materials_, most_lines));
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         if (emissive[surfaces[i].material]) {
             const std::size_t id = regions.size() + i;
@@ -144,13 +151,25 @@ bool CommittedScene::occluded(const Ray& ray) const noexcept {
 
 Rgb CommittedScene::transmittance(const Ray& ray) const noexcept {
     if (!filters_) return Rgb(occluded(ray) ? 0.0F : 1.0F);
-    Rgb share(1);
+    Rgb share(1), first;  // absorption of the medium that the ray starts in
+    const auto fade = [&](const Medium& medium, double length) {
+        if (medium.absorption == first) return;
+        share *= exp((first - medium.absorption) * static_cast<float>(std::min(length, 1e30)));
+    };
+    const Medium* beyond = nullptr;
     Ray rest = ray;
     for (int i = 0; i < most_passed; ++i) {
         const Hit hit = intersect(rest);
-        if (!hit.found()) return share;
+        if (!hit.found()) {
+            if (beyond) fade(*beyond, rest.t_max);
+            return share;
+        }
         const SurfacePoint point = surface(rest, hit);
         if (point.lamp >= 0) return {};
+        const bool outside = dot(Vec3d(point.ng), rest.d) < 0;
+        if (i == 0) first = (outside ? point.front : point.back)->absorption;
+        fade(outside ? *point.front : *point.back, hit.t);
+        beyond = outside ? point.back : point.front;
         const Vec3 wo = point.frame.to_local(Vec3(-rest.d));
         share *= materials_[point.material].shader->straight_transmittance(point, wo);
         if (is_black(share)) return {};
@@ -183,6 +202,11 @@ SurfacePoint CommittedScene::surface(const Ray& ray, const Hit& found) const noe
 Rgb CommittedScene::emitted(const SurfacePoint& point, Vec3 wo) const noexcept {
     if (point.lamp >= 0) return lights_[static_cast<std::size_t>(point.lamp)]->emitted(point.p, point.ng, wo);
     return material_emission(materials_[point.material], point, wo);
+}
+
+std::int32_t CommittedScene::light_of(FaceId id) const noexcept {
+    const std::int32_t lamp = tracer_->lamp(id.region);
+    return lamp >= 0 ? lamp_light_[static_cast<std::size_t>(lamp)] : region_light_[id.region];
 }
 
 Rgb CommittedScene::escaped(Vec3 d) const noexcept {

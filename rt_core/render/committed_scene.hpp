@@ -7,6 +7,7 @@
 #include "rt_core/api/registry.hpp"
 #include "rt_core/api/world.hpp"
 #include "rt_core/render/commit/media.hpp"
+#include "rt_core/render/lighting/next_event.hpp"
 #include "rt_core/scene/scene.hpp"
 #include "rt_core/trace/tracer.hpp"
 
@@ -45,11 +46,14 @@ public:
     [[nodiscard]] Rgb escaped(Vec3 d) const noexcept override;
     [[nodiscard]] Rgb direct(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
                              Sampler& sampler) const noexcept override {
-        return direct(point, bsdf, wo, sampler, nullptr);
+        return next_event_->direct(point, bsdf, wo, sampler, nullptr);
     }
+    [[nodiscard]] std::int32_t light_of(FaceId id) const noexcept override;
     /// The same where a module's shadow photons (if not null) may spare shadow rays.
     [[nodiscard]] Rgb direct(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, Sampler& sampler,
-                             const LightingModule* shadows) const noexcept;
+                             const LightingModule* shadows) const noexcept {
+        return next_event_->direct(point, bsdf, wo, sampler, shadows);
+    }
 
     /// What a camera ray that leaves the scene sees.
     [[nodiscard]] Rgb backdrop(Vec3 d) const noexcept;
@@ -58,22 +62,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
 private:
-    struct DirectQuery;
     void make_tracer(Geometry geometry);
     void add_emissive_lights();
-    void plan_direct_light();
-    /// Light that the surface of that id is, or -1.
-    [[nodiscard]] std::int32_t light_of(std::uint32_t id) const noexcept;
-    /// How often a call of direct() draws from the light, on average.
-    [[nodiscard]] float draws(std::size_t light) const noexcept;
-    /// Calls use(point, share) for every light the ray meets, and use(null, share) where it leaves the scene.
-    template <class Use>
-    void look(const Ray& ray, Use&& use) const noexcept;
-    /// What a Bsdf that attenuates makes of light from a lamp so far away; 1 for lights at infinity.
-    [[nodiscard]] static float attenuation(const DirectQuery& query, double distance) noexcept;
-    [[nodiscard]] Rgb arriving(const DirectQuery& query, std::size_t light, const LightSample& sample) const noexcept;
-    [[nodiscard]] Rgb sampled_light(const DirectQuery& query, std::size_t light, Vec2 u) const noexcept;
-    [[nodiscard]] Rgb sampled_bsdf(const DirectQuery& query, Sampler& sampler) const noexcept;
 
     std::vector<Material> materials_;
     std::vector<std::unique_ptr<Light>> lights_;
@@ -81,9 +71,7 @@ private:
     std::vector<std::int32_t> region_light_;  ///< light of each emissive region and surface, -1 of the others
     std::unique_ptr<Tracer> tracer_;
     std::unique_ptr<Media> media_;
-    std::vector<bool> found_by_rays_;   ///< lights that a ray drawn from a Bsdf may find
-    std::vector<float> light_cdf_;      ///< for the choice among many lights; empty while all are asked each time
-    bool wide_light_ = false;           ///< some light is so wide that diffuse surfaces too look for it
+    std::unique_ptr<NextEvent> next_event_;
     bool filters_ = false;              ///< some material lets shadow rays through
     std::uint32_t black_material_ = 0;  ///< what lamps are made of
     std::size_t face_count_ = 0;

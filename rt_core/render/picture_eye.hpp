@@ -15,6 +15,8 @@ public:
     [[nodiscard]] Crop crop() const noexcept override { return crop_; }
     void look(Vec2d film, Sampler& sampler, const std::function<void(const Sight&)>& see) const override;
 
+    /// Whether u_lens matters.
+    [[nodiscard]] bool has_lens() const noexcept { return !camera_.is_pinhole(); }
     /// The ray through `film`, u_lens in [0,1)^2.
     [[nodiscard]] EyeRay ray(Vec2d film, Vec2 u_lens) const noexcept;
 

@@ -8,8 +8,9 @@
 #include "rt_core/api/parallel.hpp"
 #include "rt_core/render/film_sums.hpp"
 #include "rt_core/render/picture_eye.hpp"
-#include "rt_core/render/pixel_filter.hpp"
 #include "rt_core/render/ray_counts.hpp"
+#include "rt_core/render/sampling/pixel_filter.hpp"
+#include "rt_core/render/sampling/pixel_stream.hpp"
 #include "rt_core/render/stop_rule.hpp"
 #include "rt_core/render/views.hpp"
 
@@ -48,7 +49,7 @@ public:
     RenderResult run() {
         const double cpu = process_cpu_seconds();
         progress_.begin("render");
-        std::uint32_t done = 0, passes = 0;
+        std::uint32_t done = 0;
         while (const std::uint32_t count = stopped() ? 0 : plan_.next(done)) {
             parallel_for(static_cast<std::int64_t>(tiles_.size()), [&](std::int64_t i) {
                 const auto tile = static_cast<std::size_t>(i);
@@ -56,8 +57,7 @@ public:
                 render_tile(tile, done, count);
             });
             done += count;
-            ++passes;
-            if (noise_ && !hush(passes, count)) break;
+            if (noise_ && !hush()) break;
         }
         statistics_.interrupted = progress_.interrupted();
         statistics_.seconds = plan_.seconds();
@@ -75,6 +75,11 @@ private:
         return static_cast<std::size_t>(y - crop_[1]) * static_cast<std::size_t>(crop_[2] - crop_[0]) +
                static_cast<std::size_t>(x - crop_[0]);
     }
+    /// Of the pixel in the whole picture, whatever the crop.
+    [[nodiscard]] std::uint64_t number_of(int x, int y) const {
+        return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
+               static_cast<std::uint64_t>(x);
+    }
     /// The user or the clock wants an end; the clock only once every pixel has had a sample.
     [[nodiscard]] bool stopped() const {
         return progress_.interrupted() || (samples_done_.load() >= pixel_count() && plan_.time_is_up());
@@ -82,8 +87,8 @@ private:
 
     void render_tile(std::size_t index, std::uint32_t first, std::uint32_t count);
     [[nodiscard]] EyeRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
-    [[nodiscard]] PixelSample sample(int x, int y, std::uint32_t number) const noexcept;
-    bool hush(std::uint32_t passes, std::uint32_t count);
+    [[nodiscard]] PixelSample sample(int x, int y, Sampler& sampler) const noexcept;
+    bool hush();
     [[nodiscard]] std::vector<std::size_t> pixels_of(const Tile& tile) const;
     [[nodiscard]] std::vector<std::uint32_t> pixel_samples() const;
     void name_bad_pixel();
@@ -110,16 +115,13 @@ private:
 
 EyeRay Job::camera_ray(int x, int y, Sampler& sampler) const noexcept {
     Vec2d film{x + 0.5, y + 0.5};
-    const Vec2 u_film = sampler.next2(), u_lens = sampler.next2();
+    const Vec2 u_film = sampler.next2(), u_lens = eye_.has_lens() ? sampler.next2() : Vec2{};
     if (settings_.samples != 1)
         film = film + (settings_.filter == Filter::box ? sample_box_filter(u_film) : sample_gaussian_filter(u_film));
     return eye_.ray(film, u_lens);
 }
 
-PixelSample Job::sample(int x, int y, std::uint32_t number) const noexcept {
-    const std::uint64_t pixel =
-        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) + static_cast<std::uint64_t>(x);
-    Sampler sampler(settings_.seed, Purpose::camera, pixel, number);
+PixelSample Job::sample(int x, int y, Sampler& sampler) const noexcept {
     const EyeRay camera = camera_ray(x, y, sampler);
     ++ray_counts.camera;
     PixelSample out;
@@ -138,11 +140,14 @@ void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t coun
     const Tile& tile = tiles_[index];
     std::uint64_t bad = 0;
     std::size_t first_bad = SIZE_MAX;
+    PixelStream stream(settings_.seed, noise_.has_value());
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) {
             const std::size_t pixel = film_index(x, y);
-            for (std::uint32_t s = first; s < first + count; ++s) {
-                PixelSample found = sample(x, y, s);
+            stream.begin(number_of(x, y), first, count);
+            for (std::uint32_t s = 0; s < count; ++s) {
+                Sampler sampler = stream.next();
+                PixelSample found = sample(x, y, sampler);
                 if (is_bad(found.beauty)) {
                     ++bad;
                     first_bad = std::min(first_bad, pixel);
@@ -150,8 +155,8 @@ void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t coun
                     found.parts = {};
                 }
                 sums_.add(pixel, found);
+                if (noise_ && s < count / 2) noise_->add(pixel, luminance(found.beauty));
             }
-            if (noise_) noise_->add_pass(pixel, sums_.luminance_sum(pixel), count);
         }
     samples_[index] = first + count;
 
@@ -162,20 +167,25 @@ void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t coun
     statistics_.camera_rays += ray_counts.camera - before.camera;
     statistics_.shadow_rays += ray_counts.shadow - before.shadow;
     statistics_.specular_rays += ray_counts.specular - before.specular;
+    statistics_.bounce_rays += ray_counts.bounce - before.bounce;
     statistics_.bad_samples += bad;
     first_bad_ = std::min(first_bad_, first_bad);
 }
 
 /// Marks the tiles that are quiet enough; false once all are.
-bool Job::hush(std::uint32_t passes, std::uint32_t count) {
+bool Job::hush() {
     double mean = 0;
     const std::vector<std::uint32_t> samples = pixel_samples();
     for (std::size_t i = 0; i < samples.size(); ++i)
         if (samples[i] > 0) mean += static_cast<double>(sums_.luminance_sum(i)) / samples[i];
     mean /= static_cast<double>(samples.size());
     bool more = false;
+    std::vector<NoiseMeter::Sum> tile;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        if (!quiet_[i]) quiet_[i] = noise_->quiet(pixels_of(tiles_[i]), passes, count, mean);
+        if (quiet_[i]) continue;
+        tile.clear();
+        for (const std::size_t pixel : pixels_of(tiles_[i])) tile.push_back({pixel, sums_.luminance_sum(pixel)});
+        quiet_[i] = noise_->quiet(tile, samples_[i], mean);
         more = more || !quiet_[i];
     }
     return more;

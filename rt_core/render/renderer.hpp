@@ -31,6 +31,7 @@ struct RenderSettings {
 /// What a render did, for `--stats` and the last line.
 struct RenderStatistics {
     std::uint64_t camera_rays = 0, shadow_rays = 0, specular_rays = 0;
+    std::uint64_t bounce_rays = 0;        ///< of paths that go on from surfaces of any kind
     int samples = 0;                      ///< a pixel, on average, rounded down
     double seconds = 0, cpu_seconds = 0;  ///< of the render phase
     std::uint64_t bad_samples = 0;        ///< NaN, infinite or negative: replaced by black

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rt_core/render/film_sums.hpp"
@@ -8,8 +9,8 @@
 
 namespace cardioid {
 
-/// How many samples the next pass takes, and whether time is up. With neither time nor noise given passes double until
-/// they have 16 samples, so that an interrupted picture is even.
+/// How many samples the next pass takes, and whether time is up. Passes double until they have 16 samples, so that an
+/// interrupted picture is even; where noise ends a render they grow by an eighth and are even in number.
 class PassPlan {
 public:
     explicit PassPlan(const RenderSettings& settings);
@@ -29,23 +30,26 @@ private:
 };
 
 /// Measures how noisy each tile is: the root mean square over its pixels of the standard error of their luminance,
-/// estimated from the means of passes of equal size, over the tile's mean luminance (at least 1/100 of the picture's,
-/// so that black corners end).
+/// relative to that luminance (and a tenth of the picture's, so that black corners end). Samples of one well-spread
+/// sequence are not independent, and errors estimated as if they were come out too large; so a pixel takes half of its
+/// samples from each of two sequences, and the difference of their means tells the error without bias.
 class NoiseMeter {
 public:
     /// limit: the relative standard error to reach.
-    NoiseMeter(double limit, std::size_t pixels) : limit_(limit), sums_(pixels), squares_(pixels) {}
-    /// A pass of `samples` has just ended at the pixel, whose samples now sum up to `luminance_sum`.
-    void add_pass(std::size_t pixel, float luminance_sum, std::uint32_t samples) noexcept;
-    /// Whether a tile of these pixels needs no more after so many passes of `samples` each; `mean` is the luminance of
-    /// the whole picture.
-    [[nodiscard]] bool quiet(const std::vector<std::size_t>& pixels, std::uint32_t passes, std::uint32_t samples,
-                             double mean) const noexcept;
+    NoiseMeter(double limit, std::size_t pixels) : limit_(limit), first_(pixels) {}
+    /// A sample of the first sequence has been added to the pixel.
+    void add(std::size_t pixel, float luminance) noexcept { first_[pixel] += luminance; }
+    /// A pixel of a tile and the sum of the luminance of all its samples.
+    struct Sum {
+        std::size_t pixel;
+        float luminance;
+    };
+    /// Whether a tile needs no more after so many samples a pixel; `mean` is the luminance of the whole picture.
+    [[nodiscard]] bool quiet(std::span<const Sum> tile, std::uint32_t samples, double mean) const noexcept;
 
 private:
     double limit_;
-    std::vector<float> sums_;     ///< of all samples up to the last pass
-    std::vector<float> squares_;  ///< sum of the squares of the passes' means
+    std::vector<float> first_;  ///< luminance of the samples of the first sequence
 };
 
 }  // namespace cardioid

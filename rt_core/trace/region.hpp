@@ -29,6 +29,8 @@ public:
     /// Material that fills the solid just inside p (for its medium).
     [[nodiscard]] virtual std::uint32_t interior_material(Vec3d p) const noexcept = 0;
     [[nodiscard]] virtual std::size_t leaf_count() const noexcept = 0;
+    /// Area of the whole boundary where it is known exactly, else 0.
+    [[nodiscard]] virtual double area() const noexcept { return 0; }
     [[nodiscard]] virtual std::size_t memory_bytes() const noexcept = 0;
 };
 

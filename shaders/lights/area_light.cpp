@@ -9,9 +9,11 @@
 /// | `radiance` | 1       | [W/(sr unit^2)], the same in all directions on the front, local -z |
 /// | `power`    |         | [W] instead of radiance: power = pi area radiance |
 /// | `visible`  | true    | an opaque plate that rays meet; false: only its light is there |
+/// | `grid`     | 0       | K: K x K fixed points in the middle of equal parts instead of the whole lamp |
 ///
 /// Any transform that does not flatten it is good; a sheared one makes a parallelogram. Rectangles are sampled
-/// uniformly over the solid angle they are seen under, parallelograms and far rectangles over their area.
+/// uniformly over the solid angle they are seen under, parallelograms and rectangles farther away than twice their
+/// diagonal over their area.
 #include "shaders/lights/lamp.hpp"
 #include "shaders/lights/lights.hpp"
 #include "shaders/lights/solid_angle_rectangle.hpp"
@@ -22,6 +24,8 @@ namespace {
 /// Solid angles below this are better taken as area cos / d^2: the difference of angles that makes them has few digits
 /// left, and the two densities hardly differ.
 constexpr double far_solid_angle = 1e-3;
+/// Nor do they from farther away than so many half diagonals of the lamp, where it is the quicker way by far.
+constexpr double far_away = 4;
 
 class AreaLight final : public Lamp {
 public:
@@ -29,8 +33,9 @@ public:
         : AreaLight(params, to_world, size, Plate(to_world, params)) {}
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
+        if (grid() > 0) return sample_grid_point(p, point(grid_place(u, grid())), plate_.front);
         if (!(dot(p - plate_.centre, plate_.front) > 0)) return {};
-        if (right_angled_) {
+        if (is_near(p)) {
             const SolidAngleRectangle seen = seen_from(p);
             if (seen.solid_angle() > far_solid_angle) {
                 const Vec3d to_lamp = seen.sample(Vec2d(u));
@@ -44,7 +49,7 @@ public:
     [[nodiscard]] float pdf(Vec3d p, Vec3 wi) const noexcept override {
         const Plate::Aim aim = plate_.aim(p, Vec3d(wi));
         if (aim.distance <= 0 || std::abs(dot(aim.q, to_x_)) > 0.5 || std::abs(dot(aim.q, to_y_)) > 0.5) return 0;
-        if (right_angled_) {
+        if (is_near(p)) {
             const double solid_angle = seen_from(p).solid_angle();
             if (solid_angle > far_solid_angle) return static_cast<float>(1 / solid_angle);
         }
@@ -71,6 +76,11 @@ private:
         // Six digits of a rotation in the file leave corners this far from square.
         right_angled_ = std::abs(dot(edge_x_, edge_y_)) < 1e-5 * width_ * height_;
     }
+    /// Whether the solid angle is worth its while.
+    [[nodiscard]] bool is_near(Vec3d p) const noexcept {
+        const Vec3d d = p - plate_.centre;
+        return right_angled_ && dot(d, d) < far_away * far_away / 4 * (width_ * width_ + height_ * height_);
+    }
     [[nodiscard]] Vec3d point(Vec2 u) const noexcept {
         return plate_.centre + edge_x_ * (double{u.x} - 0.5) + edge_y_ * (double{u.y} - 0.5);
     }
@@ -91,7 +101,8 @@ constexpr ParamSpec params[] = {
     {"size", ParamType::vector, "", "[width, height] in its local xy plane [scene units], above 0"},
     {"radiance", ParamType::colour, "1", "[W/(sr unit^2)] on the front, local -z"},
     {"power", ParamType::colour, "", "[W] instead of radiance; power = pi area radiance"},
-    {"visible", ParamType::boolean, "true", "an opaque plate that rays meet; false: only its light"}};
+    {"visible", ParamType::boolean, "true", "an opaque plate that rays meet; false: only its light"},
+    {"grid", ParamType::number, "0", "K: K x K fixed points instead of the whole lamp, as for POV-Ray; 0: none"}};
 
 std::unique_ptr<Light> make(const LightInputs& in) {
     const auto size = in.params.vector("size", 2);

@@ -8,6 +8,7 @@
 /// | `radiance` | 1       | [W/(sr unit^2)], the same in all directions on the front, local -z |
 /// | `power`    |         | [W] instead of radiance: power = pi^2 r^2 radiance |
 /// | `visible`  | true    | an opaque plate that rays meet; false: only its light is there |
+/// | `grid`     | 0       | K: K x K fixed points in the middle of equal parts instead of the whole lamp |
 ///
 /// Transforms must keep it round. Sampled uniformly over its area.
 #include "shaders/lights/lamp.hpp"
@@ -27,6 +28,7 @@ public:
           radius_(radius * scale) {}
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
+        if (grid() > 0) return sample_grid_point(p, point(grid_place(u, grid())), plate_.front);
         return sample_plate_point(plate_, area(), radiance(), p, point(u));
     }
     [[nodiscard]] float pdf(Vec3d p, Vec3 wi) const noexcept override {
@@ -56,7 +58,8 @@ constexpr ParamSpec params[] = {
     {"r", ParamType::number, "", "radius [scene units], above 0"},
     {"radiance", ParamType::colour, "1", "[W/(sr unit^2)] on the front, local -z"},
     {"power", ParamType::colour, "", "[W] instead of radiance; power = pi area radiance"},
-    {"visible", ParamType::boolean, "true", "an opaque plate that rays meet; false: only its light"}};
+    {"visible", ParamType::boolean, "true", "an opaque plate that rays meet; false: only its light"},
+    {"grid", ParamType::number, "0", "K: K x K fixed points instead of the whole lamp, as for POV-Ray; 0: none"}};
 
 std::unique_ptr<Light> make(const LightInputs& in) {
     const double radius = required_length(in.params, "r");

@@ -26,7 +26,11 @@ Rgb read_radiance(const Params& params, double area) {
 }  // namespace
 
 Lamp::Lamp(const Params& params, const LampShape& shape, double area)
-    : shape_(shape), area_(area), radiance_(read_radiance(params, area)), visible_(params.boolean("visible", true)) {}
+    : shape_(shape),
+      area_(area),
+      radiance_(read_radiance(params, area)),
+      visible_(params.boolean("visible", true)),
+      grid_(read_grid(params)) {}
 
 Rgb Lamp::power() const noexcept { return radiance_ * static_cast<float>(std::numbers::pi * area_); }
 
@@ -35,11 +39,22 @@ std::optional<LampShape> Lamp::shape() const noexcept {
 }
 
 LightEmission Lamp::leave(Vec3d o, Vec3d normal, Vec2 u_direction) const noexcept {
-    const Vec3 n(normal);
-    const Vec3 d = Frame(n).to_world(sample_cosine_hemisphere(u_direction));
+    return leave_along(o, normal, Frame(Vec3(normal)).to_world(sample_cosine_hemisphere(u_direction)));
+}
+
+LightEmission Lamp::leave_along(Vec3d o, Vec3d normal, Vec3 d) const noexcept {
     LightEmission out{{o, normalize(Vec3d(d))}, power()};
-    if (visible_) out.ray.from = face_, out.ray.from_ng = n;
+    if (visible_) out.ray.from = face_, out.ray.from_ng = Vec3(normal);
     return out;
+}
+
+LightSample Lamp::sample_grid_point(Vec3d p, Vec3d q, Vec3d n) const noexcept {
+    const Vec3d to_lamp = q - p;
+    const double distance = length(to_lamp), height = -dot(to_lamp, n);
+    if (!(height > 0)) return {};
+    const Rgb L = radiance_ * static_cast<float>(height * area_ / (distance * distance * distance));
+    if (!is_finite(L)) return {};
+    return {Vec3(to_lamp / distance), distance, L, 1, true};
 }
 
 Plate::Plate(const Affine& to_world, const Params& params)
@@ -67,10 +82,9 @@ LightSample sample_plate_point(const Plate& plate, double area, Rgb radiance, Ve
     const Vec3d to_lamp = q - p;
     const double distance = length(to_lamp), height = -dot(to_lamp, plate.front);
     if (!(height > 0)) return {};
-    const Vec3d wi = to_lamp / distance;
-    const float pdf = finite_density(distance * distance / (area * (height / distance)));
+    const float pdf = finite_density(distance * distance * distance / (area * height));
     if (pdf <= 0) return {};
-    return {Vec3(wi), distance, radiance, pdf};
+    return {Vec3(to_lamp * (1 / distance)), distance, radiance, pdf};
 }
 
 double similarity_scale(const Affine& to_world, const Params& params, int axes) {
@@ -84,6 +98,18 @@ double similarity_scale(const Affine& to_world, const Params& params, int axes) 
                 refuse_transform(params, "must scale all axes alike, or it would not stay round");
         }
     return size;
+}
+
+int read_grid(const Params& params) {
+    constexpr double most = 256;
+    const double grid = params.number("grid", 0, 0, most);
+    if (grid != std::floor(grid)) params.wrong("grid", "a whole number");
+    return static_cast<int>(grid);
+}
+
+Vec2 grid_place(Vec2 u, int grid) noexcept {
+    const auto side = static_cast<float>(grid);
+    return {(std::floor(u.x * side) + 0.5F) / side, (std::floor(u.y * side) + 0.5F) / side};
 }
 
 double required_length(const Params& params, const char* name) {

@@ -9,21 +9,27 @@ public:
     [[nodiscard]] Rgb power() const noexcept override;
     [[nodiscard]] std::optional<LampShape> shape() const noexcept override;
     void set_face(FaceId face) override { face_ = face; }
+    [[nodiscard]] int grid() const noexcept override { return grid_; }
 
 protected:
-    /// Reads `radiance` (1) or `power`, and `visible` (true). area: of the emitting side, scene units^2.
+    /// Reads `radiance` (1) or `power`, `visible` (true) and `grid` (0). area: of the emitting side, scene units^2.
     Lamp(const Params& params, const LampShape& shape, double area);
 
     /// A photon from o with Lambert's distribution about the emitting side's unit normal.
     [[nodiscard]] LightEmission leave(Vec3d o, Vec3d normal, Vec2 u_direction) const noexcept;
+    /// A photon from o along the unit direction d, on the side of the unit normal.
+    [[nodiscard]] LightEmission leave_along(Vec3d o, Vec3d normal, Vec3 d) const noexcept;
     [[nodiscard]] Rgb radiance() const noexcept { return radiance_; }
     [[nodiscard]] double area() const noexcept { return area_; }
+    /// With a grid: the light at p of the point q, whose unit normal is n, when it shines for the whole lamp.
+    [[nodiscard]] LightSample sample_grid_point(Vec3d p, Vec3d q, Vec3d n) const noexcept;
 
 private:
     LampShape shape_;
     double area_;
     Rgb radiance_;
     bool visible_;
+    int grid_;
     FaceId face_;
 };
 
@@ -52,6 +58,11 @@ LightSample sample_plate_point(const Plate& plate, double area, Rgb radiance, Ve
 /// By how much to_world scales lengths along its first `axes` (2 or 3) axes. Throws Error(bad_input) where it does not
 /// scale them alike and keep them at right angles.
 double similarity_scale(const Affine& to_world, const Params& params, int axes);
+
+/// Reads `grid`: 0, or K for K x K points instead of the whole lamp. Throws Error(bad_input).
+int read_grid(const Params& params);
+/// The middle of the stratum that u lies in, of grid x grid.
+Vec2 grid_place(Vec2 u, int grid) noexcept;
 
 /// A length above 0 that must be given. Throws Error(bad_input).
 double required_length(const Params& params, const char* name);

@@ -8,6 +8,7 @@
 /// | `radiance` | 1       | [W/(sr unit^2)], the same in all directions outwards |
 /// | `power`    |         | [W] instead of radiance: power = 4 pi^2 r^2 radiance |
 /// | `visible`  | true    | an opaque ball that rays meet; false: only its light is there |
+/// | `grid`     | 0       | K: K x K fixed points in the middle of equal parts instead of the whole lamp |
 ///
 /// Transforms must keep it round. Sampled uniformly over the cone under which the ball is seen; 1 - cos of that cone
 /// comes from sin^2 = r^2/d^2, so that far lamps lose no digits. Nothing is lit inside the ball.
@@ -29,6 +30,10 @@ public:
           radius_(radius * scale) {}
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
+        if (grid() > 0) {
+            const Vec3d n = normalize(Vec3d(sample_sphere(grid_place(u, grid()))));
+            return sample_grid_point(p, centre_ + n * radius_, n);
+        }
         const Cone cone = cone_from(p);
         if (cone.pdf() <= 0) return {};
         const double drop = double{u.x} * cone.one_minus_cos, sin2 = drop * (2 - drop);
@@ -46,8 +51,11 @@ public:
         return dot(chord, chord) / 2 <= cone.one_minus_cos ? cone.pdf() : 0;
     }
     [[nodiscard]] LightEmission emit(Vec2 u_place, Vec2 u_direction) const noexcept override {
-        const Vec3d normal = normalize(Vec3d(sample_sphere(u_place)));
-        return leave(centre_ + normal * radius_, normal, u_direction);
+        // Lambert's distribution about all normals is, seen the other way, that of normals about all directions. Numbers
+        // that mean a direction in the world let photons be aimed.
+        const Vec3 d = sample_sphere(u_direction);
+        const Vec3d normal = normalize(Vec3d(Frame(d).to_world(sample_cosine_hemisphere(u_place))));
+        return leave_along(centre_ + normal * radius_, normal, d);
     }
     [[nodiscard]] Rgb emitted(Vec3d, Vec3 ng, Vec3 wo) const noexcept override {
         return dot(ng, wo) > 0 ? radiance() : Rgb{};
@@ -78,7 +86,8 @@ constexpr ParamSpec params[] = {
     {"r", ParamType::number, "", "radius [scene units], above 0"},
     {"radiance", ParamType::colour, "1", "[W/(sr unit^2)]"},
     {"power", ParamType::colour, "", "[W] instead of radiance; power = pi area radiance"},
-    {"visible", ParamType::boolean, "true", "an opaque ball that rays meet; false: only its light"}};
+    {"visible", ParamType::boolean, "true", "an opaque ball that rays meet; false: only its light"},
+    {"grid", ParamType::number, "0", "K: K x K fixed points instead of the whole lamp, as for POV-Ray; 0: none"}};
 
 std::unique_ptr<Light> make(const LightInputs& in) {
     const double radius = required_length(in.params, "r");

@@ -7,9 +7,11 @@
 /// | `direction`  | (given) | [x, y, z] the light travels, turned by the transforms around it |
 /// | `irradiance` | 1       | [W/unit^2] on a surface that faces the sun |
 /// | `angle`      | 0.53    | full apparent diameter [deg], 0 to 180; 0: parallel light with sharp shadows |
+/// | `grid`       | 0       | K: K x K fixed directions in the middle of equal parts instead of the whole disc |
 ///
 /// A disc of even radiance irradiance/(pi sin^2(angle/2)), sampled uniformly over its solid angle.
 #include "shaders/lights/far_light.hpp"
+#include "shaders/lights/lamp.hpp"
 #include "shaders/lights/lights.hpp"
 
 namespace cardioid::shaders {
@@ -18,8 +20,8 @@ namespace {
 class Sun final : public FarLight {
 public:
     /// direction: unit, the light travels; half_angle in radians.
-    Sun(Vec3d direction, Rgb irradiance, double half_angle)
-        : direction_(direction), irradiance_(irradiance), parallel_(half_angle <= 0) {
+    Sun(Vec3d direction, Rgb irradiance, double half_angle, int grid)
+        : direction_(direction), irradiance_(irradiance), parallel_(half_angle <= 0), grid_(parallel_ ? 0 : grid) {
         const double s = std::sin(half_angle), h = std::sin(half_angle / 2);
         one_minus_cos_ = 2 * h * h;
         if (!parallel_) radiance_ = irradiance * static_cast<float>(1 / (std::numbers::pi * s * s));
@@ -28,6 +30,7 @@ public:
     [[nodiscard]] LightSample sample(Vec3d, Vec2 u) const noexcept override {
         constexpr double far = std::numeric_limits<double>::infinity();
         if (parallel_) return {Vec3(-direction_), far, irradiance_, 1, true};
+        if (grid_ > 0) return {towards(grid_place(u, grid_)), far, radiance_ * (1 / pdf()), 1, true};
         return {towards(u), far, radiance_, pdf()};
     }
     [[nodiscard]] float pdf(Vec3d, Vec3 wi) const noexcept override { return meets(wi) ? pdf() : 0; }
@@ -37,6 +40,7 @@ public:
     [[nodiscard]] Rgb power() const noexcept override {
         return (parallel_ ? irradiance_ : radiance_ * (1 / pdf())) * disc_area();
     }
+    [[nodiscard]] int grid() const noexcept override { return grid_; }
     [[nodiscard]] Rgb escaped(Vec3 d) const noexcept override { return meets(d) ? radiance_ : Rgb{}; }
 
 private:
@@ -53,13 +57,15 @@ private:
     Vec3d direction_;
     Rgb irradiance_, radiance_;
     bool parallel_;
+    int grid_;
     double one_minus_cos_;  ///< of half its apparent diameter
 };
 
 constexpr ParamSpec params[] = {
     {"direction", ParamType::vector, "", "[x, y, z] the light travels"},
     {"irradiance", ParamType::colour, "1", "[W/unit^2] on a surface that faces the sun"},
-    {"angle", ParamType::number, "0.53", "full apparent diameter [deg], 0 to 180; 0: parallel light"}};
+    {"angle", ParamType::number, "0.53", "full apparent diameter [deg], 0 to 180; 0: parallel light"},
+    {"grid", ParamType::number, "0", "K: K x K fixed directions instead of the whole disc, as for POV-Ray; 0: none"}};
 
 /// Thinner than floats resolve: parallel.
 constexpr double thinnest_deg = 1e-3;
@@ -75,7 +81,8 @@ std::unique_ptr<Light> make(const LightInputs& in) {
         throw Error(ErrorCode::bad_input, in.params.where() + ": the transform around this light must not flatten it");
     const double angle = in.params.number("angle", 0.53, 0, 180);
     const double half_angle = angle < thinnest_deg ? 0 : angle * (std::numbers::pi / 360);
-    return std::make_unique<Sun>(normalize(world), in.params.colour("irradiance", Rgb(1)), half_angle);
+    return std::make_unique<Sun>(normalize(world), in.params.colour("irradiance", Rgb(1)), half_angle,
+                                 read_grid(in.params));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 /// | `transmittance` | 1       | instead of absorption: what is left after `distance`, per channel, above 0, at most 1
 /// | | `distance`      | 1       | scene units, above 0 | | `roughness`     | 0       | 0 (smooth) to 1; GGX with alpha
 /// = roughness^2 | | `priority`      | 0       | whole number; where solids overlap, the higher fills the place |
+/// | `straight_shadows` | false | true: shadow rays pass unbent and whole, as POV-Ray has it; wrong, for comparing |
 ///
 /// Smooth: unpolarised Fresnel reflectance R, total internal reflection included; the rest goes on by Snell's law.
 /// Rough: facets of that kind (Walter et al. 2007). The indices on the two sides are those of the media that really
@@ -26,7 +27,8 @@ namespace {
 
 class DielectricShader final : public Shader {
 public:
-    DielectricShader(const Medium& medium, float alpha) : medium_(medium) {
+    DielectricShader(const Medium& medium, float alpha, bool straight_shadows)
+        : medium_(medium), straight_shadows_(straight_shadows) {
         if (alpha > 0) rough_.emplace(alpha, medium.ior);
     }
     [[nodiscard]] const Bsdf* bsdf(const SurfacePoint& hit, BsdfMemory& memory) const noexcept override {
@@ -37,9 +39,14 @@ public:
         return memory.make<SmoothDielectricBsdf>(boundary);
     }
     [[nodiscard]] const Medium* interior() const noexcept override { return &medium_; }
+    [[nodiscard]] Rgb straight_transmittance(const SurfacePoint&, Vec3) const noexcept override {
+        return Rgb(straight_shadows_ ? 1.0F : 0.0F);
+    }
+    [[nodiscard]] bool filters() const noexcept override { return straight_shadows_; }
 
 private:
     Medium medium_;
+    bool straight_shadows_;
     std::optional<RoughDielectricData> rough_;
 };
 
@@ -50,7 +57,8 @@ constexpr ParamSpec params[] = {
      "instead of absorption: what is left after `distance`, above 0, at most 1"},
     {"distance", ParamType::number, "1", "for transmittance [scene units], above 0"},
     {"roughness", ParamType::number, "0", "0 (smooth) to 1"},
-    {"priority", ParamType::number, "0", "whole number: where solids overlap, the higher fills the place"}};
+    {"priority", ParamType::number, "0", "whole number: where solids overlap, the higher fills the place"},
+    {"straight_shadows", ParamType::boolean, "false", "true: shadow rays pass unbent and whole, as in POV-Ray"}};
 
 Rgb read_absorption(const Params& in) {
     if (!in.has("transmittance")) {
@@ -73,7 +81,8 @@ std::shared_ptr<const Shader> make(const ShaderInputs& in) {
     const double priority = in.params.number("priority", 0, -1e6, 1e6);
     if (priority != std::floor(priority)) in.params.wrong("priority", "a whole number");
     medium.priority = static_cast<int>(priority);
-    return std::make_shared<DielectricShader>(medium, Ggx::alpha_of(in.params.number("roughness", 0, 0, 1)));
+    return std::make_shared<DielectricShader>(medium, Ggx::alpha_of(in.params.number("roughness", 0, 0, 1)),
+                                              in.params.boolean("straight_shadows", false));
 }
 
 }  // namespace

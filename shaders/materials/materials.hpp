@@ -13,5 +13,6 @@ extern const ShaderKind filter_kind;
 extern const ShaderKind mirror_kind;
 extern const ShaderKind phong_kind;
 extern const ShaderKind plastic_kind;
+extern const ShaderKind pov_finish_kind;
 
 }  // namespace cardioid::shaders

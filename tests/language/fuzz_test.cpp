@@ -32,7 +32,7 @@ constexpr const char* sample =
 void try_read(const std::string& text) {
     try {
         const Scene scene = test::read(text);
-        EXPECT_FALSE(formats::csg_format.write(scene).empty());
+        EXPECT_FALSE(formats::csg_format.write(scene, {}).empty());
     } catch (const Error& e) {
         EXPECT_TRUE(e.code() == ErrorCode::bad_input || e.code() == ErrorCode::io || e.code() == ErrorCode::limit);
         EXPECT_TRUE(std::string(e.what()).starts_with("t.csg:")) << e.what();

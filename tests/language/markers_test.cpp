@@ -82,7 +82,7 @@ TEST(Markers, SayTheirPlaceWhereTheyAreWrong) {
 
 TEST(Markers, OtherTextsAreNone) {
     EXPECT_EQ(tree_of(read("%text(text = \"hello\"); cube();")), "box");
-    EXPECT_TRUE(contains(error_of("text(text = \"@cardioid film([1, 1])\");"), "text() is not supported yet"));
+    EXPECT_EQ(read("cube(); linear_extrude(1) text(text = \"@cardioid film([1, 1])\");").film.width, std::nullopt);
 }
 
 TEST(Markers, LongChainsOfGroupsTakeNoLongerThanTheyAre) {

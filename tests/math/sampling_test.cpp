@@ -102,5 +102,14 @@ TEST(PowerHeuristic, SharesAllAndPrefersTheDenser) {
     EXPECT_GT(power_heuristic(2, 1), 0.5F);
 }
 
+TEST(Sampling, HasTheSineAndCosineOfSmallAngles) {
+    for (int i = -1000; i <= 1000; ++i) {
+        const float a = static_cast<float>(i) * pi / 4000;
+        const Vec2 found = sin_cos_of_eighth(a);
+        EXPECT_NEAR(found.x, std::sin(static_cast<double>(a)), 1.5e-7);
+        EXPECT_NEAR(found.y, std::cos(static_cast<double>(a)), 1.5e-7);
+    }
+}
+
 }  // namespace
 }  // namespace cardioid

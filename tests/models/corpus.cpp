@@ -24,8 +24,8 @@ std::uint64_t hash_of(const std::string& text) {
     return hash;
 }
 
-constexpr std::array later{"hull",       "fill",    "minkowski", "offset",     "text",      "resize",
-                           "projection", "surface", "roof",      "import_stl", "import_dxf"};
+constexpr std::array later{"roof", "animate"};
+constexpr std::array imported{".stl", ".obj", ".ply", ".off", ".amf", ".3mf", ".gltf", ".glb", ".dxf", ".svg"};
 
 /// Reads on over `text` from `at`: what stands between the quotes of the next string.
 std::string next_string(const std::string& text, std::size_t at) {
@@ -36,10 +36,9 @@ std::string next_string(const std::string& text, std::size_t at) {
 /// What a call at text[at], whose name ends there, needs; "" where it needs nothing that is to come.
 std::string need_of(const std::string& name, const std::string& text, std::size_t at) {
     if (std::ranges::find(later, name) != later.end()) return name;
-    const bool of_file = text.compare(at, 8, "(file = ") == 0;
-    if (!of_file || (name != "import" && !name.ends_with("_extrude"))) return "";
+    if (text.compare(at, 8, "(file = ") != 0 || name != "import") return "";
     const std::string extension = cli::extension_of(next_string(text, at));
-    if (name == "import" && (extension == ".stl" || extension == ".obj" || extension == ".ply")) return "";
+    if (std::ranges::find(imported, extension) != imported.end()) return "";
     return name + " of " + (extension.empty() ? "a file" : extension.substr(1));
 }
 

@@ -76,7 +76,9 @@ void check_points(const std::string& name) {
 TEST(Membership, OfPointsInAnExampleIsThatOfOpenScadsMesh) {
     if (!has_openscad()) GTEST_SKIP() << "openscad is not installed";
     if (programs_below("examples").empty()) GTEST_SKIP() << "openscad's examples are not installed";
-    for (const char* name : {"Old/example001", "Old/example003", "Old/example012", "Old/example016", "Basics/CSG"})
+    for (const char* name :
+         {"Old/example001", "Old/example003", "Old/example012", "Old/example016", "Basics/CSG", "Basics/projection",
+          "Basics/text_on_cube", "Old/example006", "Old/example009", "Old/example010"})
         check_points(std::string("examples/") + name + ".scad");
 }
 

@@ -58,17 +58,49 @@ double emitted_flux(const Light& light, const CommittedScene& scene, double& out
     return sum / n;
 }
 
-TEST(EmissiveSolid, KnowsItsPower) {
+/// Area that the power of the only light of radiance 1 stands for.
+double lit_area(const SceneKit& kit) { return kit.commit().lights().back()->power().r / pi_d; }
+
+TEST(EmissiveSolid, OfOneSimpleShapeKnowsItsPowerExactly) {
     const CommittedScene ball = glowing_ball(0.5).commit();
     const Rgb power = ball.lights().back()->power();
     const double wanted = pi_d * 4 * pi_d * 0.25;
-    EXPECT_NEAR(power.r, wanted, 0.02 * wanted);
-    EXPECT_NEAR(power.g, 2 * wanted, 0.04 * wanted);
+    EXPECT_NEAR(power.r, wanted, 1e-6 * wanted);
+    EXPECT_NEAR(power.g, 2 * wanted, 2e-6 * wanted);
     EXPECT_EQ(power.b, 0);
-    const double box = pi_d * (2 * 2 + 0.2 * 3);
-    EXPECT_NEAR(glowing_box().commit().lights().back()->power().r, box, 0.02 * box);
-    const double mesh = pi_d * tetrahedron_area;
-    EXPECT_NEAR(glowing_mesh().commit().lights().back()->power().r, mesh, 0.02 * mesh);
+    EXPECT_NEAR(lit_area(glowing_box()), 2 * 2 + 0.2 * 3, 1e-5);
+    EXPECT_NEAR(lit_area(glowing_mesh()), tetrahedron_area, 1e-5);
+    SceneKit round;
+    const std::uint32_t glow = round.material("glow", "emitter", {{"emission", {1, 1, 1}}});
+    const auto leaf = [&](LeafKind kind, Vec3d scale, double a, double b) {
+        round.scene.solids = {};
+        Leaf made;
+        made.kind = kind;
+        made.to_world = Affine{{Vec3d{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {3, 4, 5}} * Affine::scaling(scale);
+        made.a = a, made.b = b, made.material = glow;
+        round.root(round.scene.solids.add_leaf(made));
+        return lit_area(round);
+    };
+    EXPECT_NEAR(leaf(LeafKind::cone, {2, 2, 3}, 1, 0.5), pi_d * (4 + 1 + 3 * std::hypot(3, 1)), 1e-4);
+    EXPECT_NEAR(leaf(LeafKind::torus, {2, 2, 2}, 1, 0.25), 4 * pi_d * pi_d * 0.25 * 4, 1e-4);
+}
+
+TEST(EmissiveSolid, OfAnyShapeKnowsItsPowerToAThousandth) {
+    SceneKit kit;
+    const std::uint32_t glow = kit.material("glow", "emitter", {{"emission", {1, 1, 1}}});
+    const auto area = [&](std::uint32_t root) {
+        kit.scene.solids.roots = {root};
+        return lit_area(kit);
+    };
+    const auto subtract = [&](std::uint32_t a, std::uint32_t b) {
+        return kit.scene.solids.add_node(SolidOp::subtract, {a, b});
+    };
+    const auto near = [](double found, double wanted) { EXPECT_NEAR(found, wanted, 0.0015 * wanted); };
+    const double e = std::sqrt(0.75);  // eccentricity of a spheroid of half axes 1, 1, 2
+    near(area(kit.leaf(LeafKind::sphere, Affine::scaling({1, 1, 2}), glow)), 2 * pi_d * (1 + 2 / e * std::asin(e)));
+    near(area(subtract(kit.box({0, 0, 0}, {1, 1, 1}, glow), kit.box({0.25, 0.25, -1}, {0.75, 0.75, 2}, glow))), 7.5);
+    near(area(subtract(kit.ball({}, 1, glow), kit.ball({0, 0, 1}, 1, glow))), 4 * pi_d);
+    near(area(subtract(kit.box({-2, -2, -2}, {2, 2, 2}, glow), kit.ball({}, 1, glow))), 96 + 4 * pi_d);
 }
 
 TEST(EmissiveSolid, EmitsItsPowerInPhotonsThatLeaveIt) {
@@ -83,6 +115,19 @@ TEST(EmissiveSolid, EmitsItsPowerInPhotonsThatLeaveIt) {
     const CommittedScene mesh = glowing_mesh().commit();
     EXPECT_NEAR(emitted_flux(*mesh.lights().back(), mesh, outward), pi_d * tetrahedron_area, 0.02 * pi_d * 2.37);
     EXPECT_GT(outward, 0.9999);
+}
+
+TEST(EmissiveSolid, WithoutEndEmitsWhatItTellsToo) {
+    // A glowing ground under a small ball: both are taken within the scene's sphere.
+    SceneKit kit;
+    kit.root(kit.ball({0, 0, 1}, 0.5, 0));
+    kit.root(kit.leaf(LeafKind::half_space, Affine::translation({0, 0, 0.75}),
+                      kit.material("glow", "emitter", {{"emission", {1, 1, 1}}})));
+    const CommittedScene scene = kit.commit();
+    double outward = 0;
+    const double power = scene.lights().back()->power().r;
+    EXPECT_GT(power, 0);
+    EXPECT_NEAR(emitted_flux(*scene.lights().back(), scene, outward), power, 0.02 * power);
 }
 
 TEST(EmissiveSolid, SamplesDirectionsWithTheDensityItTells) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "rt_core/math/sampler.hpp"
-#include "rt_core/render/pixel_filter.hpp"
+#include "rt_core/render/sampling/pixel_filter.hpp"
 
 namespace cardioid {
 namespace {

@@ -29,9 +29,17 @@ enum class Node : std::uint8_t {
     half_space,
     import_file,
     include_mesh,
+    surface,
     square,
     circle,
     polygon,
+    text,
+    hull,
+    minkowski,
+    resize,
+    projection,
+    offset,
+    fill,
     linear_extrude,
     rotate_extrude,
     film,
@@ -61,7 +69,9 @@ const CallInfo* find_call(std::string_view name);
 std::span<const std::string_view> call_names();
 
 /// A solid or plane figure without children.
-constexpr bool is_shape(Node node) { return node >= Node::cube && node <= Node::polygon; }
+constexpr bool is_shape(Node node) { return node >= Node::cube && node <= Node::text; }
+/// Makes one figure or solid of what its children are, which it sees in a space of their own.
+constexpr bool is_operation(Node node) { return node >= Node::hull && node <= Node::fill; }
 /// Says something of the scene but makes no solid.
 constexpr bool is_setting(Node node) { return node >= Node::film && node <= Node::light; }
 

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "formats/openscad/evaluate/markers.hpp"
+#include "formats/openscad/evaluate/operate.hpp"
 #include "formats/openscad/evaluate/settings.hpp"
 #include "formats/openscad/evaluate/state.hpp"
+#include "formats/openscad/geometry/plane_files.hpp"
 #include "formats/openscad/geometry/transforms.hpp"
 #include "formats/openscad/prune.hpp"
 #include "formats/openscad/syntax/parser.hpp"
@@ -87,6 +89,7 @@ private:
                     .state = frames_.back().state,
                     .mark = results_.mark(),
                     .first_scope = scopes_.size(),
+                    .first_leaf = scene_.solids.leaves.size(),
                     .backdrop = (call.modifiers & Modifier::background) != 0};
         if (is_shape(info->node)) frame.rest = {};  // OpenSCAD ignores what stands in a cube
         const Arguments args(ast, call, signature(*info), warnings_);
@@ -124,6 +127,15 @@ private:
                 state.in_plane = {};
                 frame.dimension = Dimension::plane;
                 break;
+            case Node::hull:
+            case Node::minkowski:
+            case Node::resize:
+            case Node::projection:
+            case Node::offset:
+            case Node::fill:
+                state.to_world = state.in_plane = {};  // the children's own space
+                frame.dimension = operand_dimension(frame.node);
+                break;
             default:
                 break;
         }
@@ -149,8 +161,10 @@ private:
             results_.drop(frame.mark);
         else if (frame.is_boolean())
             results_.combine(frame.node == Node::difference ? SolidOp::subtract : SolidOp::intersect, frame.mark);
-        else if (frame.is_extrusion() && results_.has_planes(frame.mark))
+        else if (frame.is_extrusion() && makes_solids_)
             extrude(frame);
+        else if (is_operation(frame.node))
+            operate(frame, frames_[frames_.size() - 2].state, arguments_of(frame), results_, shapes_);
     } catch (const Error& e) {
         if (std::string_view(e.what()).starts_with(ast_.file + ":")) throw;
         throw Error(e.code(), frame.where() + ": " + e.what());
@@ -165,6 +179,7 @@ private:
         const bool solid = results_.has_solids(child.mark);
         const bool first = !std::exchange(parent.first_done, true);
         if (!solid && !results_.has_planes(child.mark)) {
+            parent.empty_child = true;
             if (parent.node == Node::intersection || (parent.node == Node::difference && first)) parent.empty = true;
             return;
         }
@@ -176,14 +191,16 @@ private:
                           solid ? "a solid among plane figures: left out" : "a plane figure among solids: left out");
             return;
         }
-        if (!parent.is_boolean()) return;
+        if (!parent.joins_children()) return;
         results_.join(child.mark);
         if (solid && first && parent.node == Node::difference) parent.state.fallback = results_.last_material();
     }
 
     void extrude(const Frame& frame) {
-        const Arguments args(ast_, *frame.call, signature(*find_call(ast_.name(*frame.call))), warnings_);
-        const std::vector<Plane> parts = results_.take_planes(frame.mark);
+        const Arguments args = arguments_of(frame);
+        std::vector<Plane> parts = results_.take_planes(frame.mark);
+        if (auto from_file = figure_of_extrusion(args, shapes_)) parts.push_back(std::move(*from_file));
+        if (parts.empty()) return;
         const Extrusion made = frame.node == Node::linear_extrude ? linear_extrusion(parts, args, shapes_)
                                                                   : rotate_extrusion(parts, args, shapes_);
         if (!made.body || !add_leaf(*made.body, args) || made.wedge.empty()) return;
@@ -193,8 +210,12 @@ private:
         results_.combine(made.keep_wedge ? SolidOp::intersect : SolidOp::subtract, frame.mark);
     }
 
+    Arguments arguments_of(const Frame& frame) {
+        return {*frame.ast, *frame.call, signature(*find_call(frame.ast->name(*frame.call))), warnings_};
+    }
+
     void shape(Node node, const Arguments& args) {
-        if (node >= Node::square) {
+        if (node >= Node::square || (node == Node::import_file && is_plane_file(args))) {
             if (auto plane = make_plane(node, args, frames_.back().state.in_plane, shapes_))
                 results_.add_plane(std::move(*plane));
         } else if (const auto solid = make_solid(node, args, shapes_)) {
@@ -205,15 +226,7 @@ private:
     /// Places a shape; false, and a warning, where the transforms leave nothing of it.
     bool add_leaf(const Shape& shape, const Arguments& args) {
         const State& state = frames_.back().state;
-        const Affine to_world = state.to_world * shape.local;
-        const bool singular = is_singular(to_world);
-        if (singular || is_out_of_reach(to_world)) {
-            warnings_.add(args.where(), singular ? "a solid is scaled by 0 or by what is not finite: removed"
-                                                 : "a solid is larger than 1e15 or farther out: removed");
-            return false;
-        }
-        results_.add_leaf({shape.kind, to_world, shape.a, shape.b, shape.data, state.leaf_material(), line_of(args)});
-        return true;
+        return results_.place(shape, state.to_world, state.leaf_material(), {args.where(), line_of(args)});
     }
 
     std::uint32_t line_of(const Arguments& args) const {
@@ -274,13 +287,13 @@ private:
                 scene_.cameras.push_back(read_camera(args, to_world, warnings_));
                 break;
             case Node::photons:
-                photons(ast, call);
+                scene_.photons = read_photons(ast, call);
                 break;
             case Node::precision:
                 scene_.six_digits = args.number("digits", 6) <= 6;
                 break;
             case Node::map_color:
-                map_colour(args);
+                map_colour(args, materials_);
                 break;
             default:
                 end_material();
@@ -300,26 +313,7 @@ private:
             const Arguments args(side, call, signature(*info), warnings_);
             if (info->node != Node::map_color)
                 args.fail("found " + side.name(call) + ", wanted define_material or map_color in a file of materials");
-            map_colour(args);
-        }
-    }
-
-    void map_colour(const Arguments& args) {
-        Rgba rgba{0, 0, 0, 1};
-        const auto xs = args.numbers("color", 3);
-        if (!xs || !args.has("material")) args.fail("found too little, wanted map_color([r, g, b, a], \"material\")");
-        std::copy_n(xs->begin(), std::min<std::size_t>(xs->size(), 4), rgba.begin());
-        for (double& x : rgba) x = std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0;
-        materials_.map_colour(rgba, args.text("material"), args.where());
-    }
-
-    /// Parameters of the photon module are its own: taken as they stand.
-    void photons(const Ast& ast, const Call& call) {
-        scene_.photons = Params(ast.where(call.place));
-        for (const Argument& argument : ast.arguments_of(call)) {
-            if (argument.name == Argument::no_name) continue;
-            if (auto value = param_value(ast, argument.value))
-                scene_.photons.set(ast.texts[argument.name], std::move(*value));
+            map_colour(args, materials_);
         }
     }
 

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "formats/openscad/geometry/transforms.hpp"
+
 namespace cardioid::formats::openscad {
 
 void Results::drop(const ResultMark& since) {
@@ -25,6 +27,18 @@ std::vector<Plane> Results::take_planes(const ResultMark& since) {
 void Results::add_leaf(const Leaf& leaf) {
     solids_.push_back(shapes_.solids.add_leaf(leaf));
     material_of_node_.push_back(leaf.material);
+}
+
+bool Results::place(const Shape& shape, const Affine& to_world, std::uint32_t material, const Origin& origin) {
+    const Affine whole = to_world * shape.local;
+    const bool singular = is_singular(whole);
+    if (singular || is_out_of_reach(whole)) {
+        shapes_.warnings.add(origin.where, singular ? "a solid is scaled by 0 or by what is not finite: removed"
+                                                    : "a solid is larger than 1e15 or farther out: removed");
+        return false;
+    }
+    add_leaf({shape.kind, whole, shape.a, shape.b, shape.data, material, origin.line});
+    return true;
 }
 
 void Results::join(const ResultMark& since) {

@@ -10,6 +10,12 @@ struct ResultMark {
     std::size_t solid = 0, plane = 0;
 };
 
+/// The call that made something, for messages.
+struct Origin {
+    std::string where;
+    std::uint32_t line = 0;
+};
+
 /// Results of the calls that are being evaluated, on two stacks: nodes of the SolidTree and plane figures. A group
 /// leaves its children's results where they are, so nesting costs nothing.
 class Results {
@@ -25,11 +31,17 @@ public:
     std::vector<Plane> take_planes(const ResultMark& since);
 
     void add_leaf(const Leaf& leaf);
+    /// Adds a shape carried by `to_world`; false, and a warning, where the transforms leave nothing of it.
+    bool place(const Shape& shape, const Affine& to_world, std::uint32_t material, const Origin& origin);
+    /// Puts a node back that was taken.
+    void add_node(std::uint32_t node) { solids_.push_back(node); }
     void add_plane(Plane plane) { planes_.push_back(std::move(plane)); }
     /// All since the mark become one: their union.
     void join(const ResultMark& since);
     /// All since the mark become one: the first minus the rest, or what they have in common.
     void combine(SolidOp op, const ResultMark& since);
+    /// The material of a node's first leaf.
+    [[nodiscard]] std::uint32_t material_of(std::uint32_t node) const { return material_of_node_[node]; }
     /// The material of the first leaf of the last solid.
     [[nodiscard]] std::uint32_t last_material() const { return material_of_node_[solids_.back()]; }
 

@@ -1,6 +1,8 @@
 #include "formats/openscad/evaluate/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formats/openscad/geometry/transforms.hpp"
 #include "rt_core/scene/nearest_name.hpp"
@@ -98,6 +100,24 @@ LightSettings read_light(const LightKind& kind, const Ast& ast, const Call& call
     const Arguments args(ast, call, {names, {}, false}, warnings);
     if (is_singular(to_world)) args.fail(std::string(kind.name) + "() stands in a transform that flattens it");
     return {kind.name, args.params(), to_world};
+}
+
+Params read_photons(const Ast& ast, const Call& call) {
+    Params out(ast.where(call.place));
+    for (const Argument& argument : ast.arguments_of(call)) {
+        if (argument.name == Argument::no_name) continue;
+        if (auto value = param_value(ast, argument.value)) out.set(ast.texts[argument.name], std::move(*value));
+    }
+    return out;
+}
+
+void map_colour(const Arguments& args, MaterialTable& materials) {
+    Rgba rgba{0, 0, 0, 1};
+    const auto xs = args.numbers("color", 3);
+    if (!xs || !args.has("material")) args.fail("found too little, wanted map_color([r, g, b, a], \"material\")");
+    std::copy_n(xs->begin(), std::min<std::size_t>(xs->size(), 4), rgba.begin());
+    for (double& x : rgba) x = std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0;
+    materials.map_colour(rgba, args.text("material"), args.where());
 }
 
 }  // namespace cardioid::formats::openscad

@@ -17,4 +17,10 @@ CameraSettings read_camera(const Arguments& arguments, const Affine& to_world, W
 LightSettings read_light(const LightKind& kind, const Ast& ast, const Call& call, const Affine& to_world,
                          Warnings& warnings);
 
+/// photons(...): parameters of the photon module are its own, taken as they stand.
+Params read_photons(const Ast& ast, const Call& call);
+
+/// map_color([r, g, b, a], "material").
+void map_colour(const Arguments& arguments, MaterialTable& materials);
+
 }  // namespace cardioid::formats::openscad

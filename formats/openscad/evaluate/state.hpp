@@ -45,11 +45,15 @@ struct Frame {
     ResultMark mark;              ///< where its results begin
     std::size_t first_scope = 0;  ///< of its material markers
     Dimension dimension = Dimension::unknown;
-    bool first_done = false;  ///< a child that counts was evaluated
-    bool empty = false;       ///< a boolean that is known to be empty
-    bool backdrop = false;    ///< marked by `%`: drawn, but no part of its parent
+    std::size_t first_leaf = 0;  ///< of SolidTree::leaves, where those of its children begin
+    bool first_done = false;     ///< a child that counts was evaluated
+    bool empty = false;          ///< a boolean that is known to be empty
+    bool empty_child = false;    ///< a child that counts came to nothing
+    bool backdrop = false;       ///< marked by `%`: drawn, but no part of its parent
 
     [[nodiscard]] bool is_boolean() const { return node == Node::difference || node == Node::intersection; }
+    /// Children stay apart: the results of one are one.
+    [[nodiscard]] bool joins_children() const { return is_boolean() || node == Node::minkowski; }
     [[nodiscard]] bool is_extrusion() const { return node == Node::linear_extrude || node == Node::rotate_extrude; }
     [[nodiscard]] std::string where() const { return ast->where(call->place); }
 };

@@ -17,11 +17,6 @@ Extrusion removed(const Arguments& args, ShapeContext& context, const char* why)
     return {};
 }
 
-void refuse_file(const Arguments& args) {
-    if (!args.is("file", ValueKind::text) || args.text("file").empty()) return;
-    args.fail("extrusion of the file \"" + args.text("file") + "\" is not supported yet");
-}
-
 /// The scale of the top; below zero is zero, as in OpenSCAD.
 Vec2d top_scale(const Arguments& args) {
     Vec2d out{1, 1};
@@ -133,7 +128,6 @@ bool to_right_side(Profile& profile, bool& mirrored) {
 }  // namespace
 
 Extrusion linear_extrusion(std::span<const Plane> parts, const Arguments& args, ShapeContext& context) {
-    refuse_file(args);
     csg::LinearExtrusion how;
     how.height = extrusion_height(args);
     how.centre = args.boolean("center", false);
@@ -166,7 +160,6 @@ std::optional<Shape> plate(std::span<const Plane> parts, const std::string& wher
 }
 
 Extrusion rotate_extrusion(std::span<const Plane> parts, const Arguments& args, ShapeContext& context) {
-    refuse_file(args);
     const Sweep sweep = read_sweep(args);
     if (sweep.angle == 0) return removed(args, context, "rotate_extrude() has an angle of 0");
     const csg::FacetSettings facets = facet_settings(args);

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "csg/shapes/profile_boolean.hpp"
+#include "formats/openscad/geometry/plane_files.hpp"
 #include "formats/openscad/geometry/transforms.hpp"
+#include "formats/openscad/text/text_figure.hpp"
 
 namespace cardioid::formats::openscad {
 namespace {
@@ -128,12 +130,6 @@ bool is_simple(const Profile& profile) {
     return true;
 }
 
-/// The contours of every part, each in its own way to be read by the even-odd rule.
-Profile as_profile(const Plane& plane) {
-    if (!plane.circle) return plane.profile;
-    return csg::transformed({{csg::circle_points(1, fine_circle)}}, *plane.circle);
-}
-
 Plane combine(csg::ProfileOp op, std::span<const Plane> parts, const ShapeContext& context) {
     std::vector<Profile> profiles;
     double largest = 0;
@@ -142,27 +138,41 @@ Plane combine(csg::ProfileOp op, std::span<const Plane> parts, const ShapeContex
         for (const auto& contour : profiles.back().contours)
             for (const Vec2d p : contour) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
     }
-    constexpr double openscad_grid = 0x1p-16;
-    constexpr int fine_bits = 40;  // below the largest coordinate: far finer than a picture or 6 digits show
-    const double grid = context.options.openscad_facets || largest == 0
-                            ? openscad_grid
-                            : std::ldexp(1.0, std::ilogb(largest) - fine_bits);
-    return {csg::profile_boolean(op, profiles, grid), true, {}};
+    return {csg::profile_boolean(op, profiles, grid_of(largest, context.options)), true, {}};
 }
 
 }  // namespace
 
-std::optional<Plane> make_plane(Node node, const Arguments& args, const Affine& map, ShapeContext& context) {
-    std::optional<Plane> out = node == Node::square   ? square(args, context)
-                               : node == Node::circle ? circle(args, context)
-                                                      : polygon(args, context);
-    if (!out || map == Affine{}) return out;
+Profile as_profile(const Plane& plane) {
+    if (!plane.circle) return plane.profile;
+    return csg::transformed({{csg::circle_points(1, fine_circle)}}, *plane.circle);
+}
+
+double grid_of(double largest, const ReadOptions& options) {
+    constexpr double openscad_grid = 0x1p-16;
+    constexpr int fine_bits = 40;  // below the largest coordinate: far finer than a picture or 6 digits show
+    if (options.openscad_facets || largest == 0) return openscad_grid;
+    return std::ldexp(1.0, std::ilogb(largest) - fine_bits);
+}
+
+std::optional<Plane> carried(Plane plane, const Affine& map, const Arguments& args, ShapeContext& context) {
+    if (map == Affine{}) return plane;
     if (is_singular(map)) return removed(args, context, "a plane figure is scaled by 0 or by what is not finite");
-    if (out->circle)
-        out->circle = map * *out->circle;
+    if (plane.circle)
+        plane.circle = map * *plane.circle;
     else
-        out->profile = csg::transformed(out->profile, map);
-    return out;
+        plane.profile = csg::transformed(plane.profile, map);
+    return plane;
+}
+
+std::optional<Plane> make_plane(Node node, const Arguments& args, const Affine& map, ShapeContext& context) {
+    std::optional<Plane> out = node == Node::square        ? square(args, context)
+                               : node == Node::circle      ? circle(args, context)
+                               : node == Node::polygon     ? polygon(args, context)
+                               : node == Node::import_file ? plane_file(args, context)
+                                                           : text_figure(args, context);
+    if (!out) return out;
+    return carried(std::move(*out), map, args, context);
 }
 
 Plane unite(std::span<const Plane> parts, const ShapeContext& context) {

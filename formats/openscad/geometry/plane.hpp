@@ -20,6 +20,15 @@ inline constexpr int fine_circle = 224;
 /// The figure of a square, circle or polygon, carried by `map`; nothing, and a warning, where it is empty.
 std::optional<Plane> make_plane(Node node, const Arguments& arguments, const Affine& map, ShapeContext& context);
 
+/// The contours of a figure, those of a true circle with fine_circle corners, to be read by the even-odd rule.
+Profile as_profile(const Plane& plane);
+
+/// The figure carried by a map of the plane; nothing, and a warning, where that leaves nothing of it.
+std::optional<Plane> carried(Plane plane, const Affine& map, const Arguments& arguments, ShapeContext& context);
+
+/// Clipper's grid for figures with coordinates up to `largest`.
+double grid_of(double largest, const ReadOptions& options);
+
 /// Union of the figures; Clipper's grid is OpenSCAD's in facets mode, else relative to their size.
 Plane unite(std::span<const Plane> parts, const ShapeContext& context);
 Plane intersect(std::span<const Plane> parts, const ShapeContext& context);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "csg/shapes/mesh_repair.hpp"
 #include "formats/mesh/mesh_file.hpp"
+#include "formats/openscad/geometry/plane_files.hpp"
+#include "formats/openscad/geometry/surface.hpp"
 #include "formats/openscad/geometry/transforms.hpp"
 #include "formats/openscad/prune.hpp"
 
@@ -126,21 +127,14 @@ std::optional<Shape> half_space(const Arguments& args, ShapeContext& context) {
     return Shape{LeafKind::half_space, local};
 }
 
-std::string lower_extension(const std::string& path) {
-    std::string out = std::filesystem::path(path).extension().string();
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return out;
-}
-
 std::optional<Shape> mesh_file(const Arguments& args, ShapeContext& context) {
     const std::string name = args.text(args.has("file") ? "file" : "filename");
-    if (name.empty()) args.fail("found no file name, wanted import(file = \"model.stl\")");
+    if (name.empty()) return removed(args, context, "found no file name, wanted import(file = \"model.stl\")");
     const std::string type = lower_extension(name);
-    if (type != ".stl" && type != ".obj" && type != ".ply")
-        args.fail("import of \"" + name + "\" is not supported yet: STL, OBJ and PLY are");
-    const std::filesystem::path given(name);
-    const std::string path = given.is_absolute() ? name : (std::filesystem::path(context.base_dir) / given).string();
+    static constexpr std::string_view known[] = {".stl", ".obj", ".ply", ".off", ".amf", ".3mf", ".gltf", ".glb"};
+    if (std::ranges::find(known, type) == std::end(known))
+        args.fail("found \"" + name + "\", can import STL, OBJ, PLY, OFF, AMF, 3MF, glTF, DXF and SVG");
+    const std::string path = path_of(name, context);
     if (const auto at = context.mesh_files.find(path); at != context.mesh_files.end())
         return Shape{LeafKind::mesh, {}, 0, 0, at->second};
     TriangleMesh mesh;
@@ -207,6 +201,8 @@ std::optional<Shape> make_solid(Node node, const Arguments& args, ShapeContext& 
         case Node::import_file:
         case Node::include_mesh:
             return mesh_file(args, context);
+        case Node::surface:
+            return make_surface(args, context);
         default:
             return std::nullopt;
     }

@@ -2,13 +2,19 @@
 
 #include <bit>
 
+#include "rt_core/api/parallel.hpp"
 #include "rt_core/render/commit/make_materials.hpp"
 
 namespace cardioid {
 
 namespace {
 
-constexpr std::uint32_t power_lines = 4096;
+/// Independent sequences of lines, how many each has at first, and the standard error of the power that ends them.
+constexpr std::uint32_t sequences = 8, first_lines = 64;
+constexpr double power_error = 5e-4;
+/// Steps of a sequence of points in four dimensions: powers of the positive root of x^5 = x + 1, inverted (Roberts
+/// 2018, the R-sequences). Its points lie more evenly than pairs of a plane sequence.
+constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101};
 /// Boundaries on one line; more are not walked.
 constexpr int most_crossings = 100'000;
 /// Rounding must not put a point of the solid outside the cone.
@@ -21,6 +27,9 @@ double cone_from(Vec3d to_centre, double radius) {
     const double sin2 = radius * radius / d2;
     return sin2 / (1 + std::sqrt(1 - sin2));
 }
+
+/// As a float, which rounding must not take to 1.
+float below_one(double u) { return std::min(static_cast<float>(u), 0x1.fffffep-1F); }
 
 SurfacePoint point_on(Vec3d p, Vec3 ng, FaceId id, std::uint32_t material) {
     SurfacePoint point;
@@ -67,12 +76,14 @@ float EmissiveSolid::pdf(Vec3d p, Vec3 wi) const noexcept {
     return inv_pi / 2 / static_cast<float>(cone);
 }
 
-EmissiveRegion::EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials)
-    : EmissiveSolid(region.bounds()), region_(region), id_(id), materials_(materials) {}
+EmissiveRegion::EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials,
+                               std::uint32_t most_lines)
+    : EmissiveSolid(region.bounds()), region_(region), id_(id), materials_(materials), most_lines_(most_lines) {}
 
 Ray EmissiveRegion::line(Vec2 u_place, Vec2 u_direction) const noexcept {
-    const Vec3 outward = sample_sphere(u_place);
-    const Vec3 d = Frame(-outward).to_world(sample_cosine_hemisphere(u_direction));
+    // The direction first, so that these numbers mean a direction in the world and photons can be aimed by them.
+    const Vec3 d = -sample_sphere(u_direction);
+    const Vec3 outward = Frame(-d).to_world(sample_cosine_hemisphere(u_place));
     return {centre_ + Vec3d(outward) * radius_, Vec3d(d), 2.1 * radius_, {}, {}};
 }
 
@@ -88,8 +99,8 @@ void EmissiveRegion::walk(const Ray& line, Use&& use) const noexcept {
         ray.from_ng = hit.ng;
         if (dot(Vec3d(hit.ng), ray.d) < 0) {
             const std::uint32_t m = region_.material(hit.leaf);
-            const Rgb L = material_emission(materials_[m], point_on(ray.o, hit.ng, hit.id, m), Vec3(-ray.d));
-            if (!is_black(L)) use(Crossing{hit, ray.o, L});
+            use(Crossing{hit, ray.o,
+                         material_emission(materials_[m], point_on(ray.o, hit.ng, hit.id, m), Vec3(-ray.d))});
         }
         hit = {};
     }
@@ -100,22 +111,60 @@ void EmissiveRegion::prepare(Vec3d centre, double radius) {
         centre_ = centre;
         radius_ = radius;
     }
-    double sum[3] = {};
-    for (std::uint32_t i = 0; i < power_lines; ++i) {
-        Sampler sampler(0, Purpose::statistics, id_, i);
-        const Vec2 place = sampler.next2();
-        walk(line(place, sampler.next2()),
-             [&](const Crossing& c) { sum[0] += c.L.r, sum[1] += c.L.g, sum[2] += c.L.b; });
+    std::optional<BoxLines> box;
+    if (region_.bounds().bounded()) box.emplace(region_.bounds());
+    const double measure = box ? box->measure() : 4 * std::numbers::pi * std::numbers::pi * radius_ * radius_;
+    std::array<LineSums, sequences> sums;
+    const std::uint32_t most = most_lines_ / sequences;
+    for (std::uint32_t done = 0, next = first_lines; done < most; next = std::min(2 * next, most)) {
+        parallel_for(sequences, [&](std::int64_t g) {
+            add_lines(box, static_cast<std::uint32_t>(g), done, next, sums[static_cast<std::size_t>(g)]);
+        });
+        done = next;
+        if (set_power(sums, measure / done) <= power_error) return;
     }
-    const double sphere = 4 * std::numbers::pi * radius_ * radius_;
-    const auto flux = [&](double x) { return static_cast<float>(std::numbers::pi * sphere * x / power_lines); };
-    power_ = {flux(sum[0]), flux(sum[1]), flux(sum[2])};
+}
+
+/// Takes the power from sums in which a line stands for `a_line` [unit^2 sr]; returns its relative standard error.
+double EmissiveRegion::set_power(std::span<const LineSums> all, double a_line) noexcept {
+    const double area = region_.area(), n = static_cast<double>(all.size());
+    std::array<double, 3> mean{};
+    double sum = 0, squares = 0;
+    for (const LineSums& s : all) {
+        const double unit = area > 0 ? std::numbers::pi * area / std::max(s.entries, 1.0) : a_line;
+        for (std::size_t c = 0; c < 3; ++c) mean[c] += s.L[c] * unit / n;
+        const double flux = (s.L[0] + s.L[1] + s.L[2]) * unit;
+        sum += flux;
+        squares += flux * flux;
+    }
+    power_ = {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])};
+    const double variance = std::max(0.0, squares / n - sum * sum / (n * n));
+    return sum > 0 ? std::sqrt(variance / (n - 1)) * n / sum : 1;
+}
+
+void EmissiveRegion::add_lines(const std::optional<BoxLines>& box, std::uint32_t sequence, std::uint32_t first,
+                               std::uint32_t last, LineSums& sums) const noexcept {
+    Sampler sampler(0, Purpose::statistics, id_, sequence);
+    const Vec2 a = sampler.next2(), b = sampler.next2();
+    const std::array<double, 4> shift{a.x, a.y, b.x, b.y};
+    for (std::uint32_t i = first; i < last; ++i) {
+        std::array<double, 4> u;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double x = shift[k] + i * steps[k];
+            u[k] = x - std::floor(x);
+        }
+        const Vec2 place(below_one(u[0]), below_one(u[1])), direction(below_one(u[2]), below_one(u[3]));
+        walk(box ? box->line(u) : line(place, direction), [&](const Crossing& c) {
+            sums.L[0] += c.L.r, sums.L[1] += c.L.g, sums.L[2] += c.L.b;
+            ++sums.entries;
+        });
+    }
 }
 
 LightEmission EmissiveRegion::emit(Vec2 u_place, Vec2 u_direction) const noexcept {
     const Ray ray = line(u_place, u_direction);
     std::uint64_t count = 0;
-    walk(ray, [&](const Crossing&) { ++count; });
+    walk(ray, [&](const Crossing& c) { count += !is_black(c.L); });
     LightEmission out;
     if (count == 0) return out;
     // One of the crossings, chosen by the bits of the same numbers, stands for all.
@@ -125,7 +174,7 @@ LightEmission EmissiveRegion::emit(Vec2 u_place, Vec2 u_direction) const noexcep
     std::uint64_t chosen = mix64(bits) % count;
     const double measure = std::numbers::pi * 4 * std::numbers::pi * radius_ * radius_ * static_cast<double>(count);
     walk(ray, [&](const Crossing& c) {
-        if (chosen-- != 0) return;
+        if (is_black(c.L) || chosen-- != 0) return;
         out.ray = {c.p, -ray.d, Box3d::infinity, c.hit.id, c.hit.ng};
         out.flux = c.L * static_cast<float>(measure);
     });

@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "rt_core/api/world.hpp"
+#include "rt_core/render/commit/box_lines.hpp"
 #include "rt_core/trace/geometry.hpp"
 
 namespace cardioid {
@@ -25,13 +27,17 @@ protected:
     Rgb power_;
 };
 
-/// An emissive region. Its power and its photons come from uniformly distributed lines through its bounding sphere: a
-/// sphere of surface S is crossed by oriented lines of measure pi S, and every place where a line enters the solid
-/// stands for flux pi S L of that measure (Cauchy-Crofton; Santalo 1976, chapter 14).
+/// An emissive region. Its photons come from uniformly distributed lines through its bounding sphere: a sphere of
+/// surface S is crossed by oriented lines of measure pi S, and every place where a line enters the solid stands for
+/// flux pi S L of that measure (Cauchy-Crofton; Santalo 1976, chapter 14). So does its power, by lines through its box;
+/// where the region knows its area, they only tell the mean radiance.
 class EmissiveRegion final : public EmissiveSolid {
 public:
-    EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials);
-    /// Estimates the power by 4096 fixed lines; an unbounded region is taken within the scene's sphere.
+    /// most_lines: for the power, at least 512.
+    EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials,
+                   std::uint32_t most_lines);
+    /// Estimates the power, by more and more lines until its standard error is below 0.05 %; an unbounded region is
+    /// taken within the scene's sphere.
     void prepare(Vec3d centre, double radius) override;
     [[nodiscard]] LightEmission emit(Vec2 u_place, Vec2 u_direction) const noexcept override;
 
@@ -41,14 +47,24 @@ private:
         Vec3d p;
         Rgb L;
     };
+    /// What the lines of one sequence found so far.
+    struct LineSums {
+        std::array<double, 3> L{};
+        double entries = 0;
+    };
     /// Calls use(Crossing) at each place where the line enters the solid.
     template <class Use>
     void walk(const Ray& line, Use&& use) const noexcept;
     [[nodiscard]] Ray line(Vec2 u_place, Vec2 u_direction) const noexcept;
+    double set_power(std::span<const LineSums> all, double a_line) noexcept;
+    /// Lines through the box, or through the bounding sphere where there is no box.
+    void add_lines(const std::optional<BoxLines>& box, std::uint32_t sequence, std::uint32_t first, std::uint32_t last,
+                   LineSums& sums) const noexcept;
 
     const Region& region_;
     std::uint32_t id_;
     std::span<const Material> materials_;
+    std::uint32_t most_lines_;
 };
 
 /// An emissive mesh; its power and photons come from its triangles by area.

@@ -1,5 +1,7 @@
 #include "rt_core/render/commit/media.hpp"
 
+#include <algorithm>
+
 namespace cardioid {
 
 namespace {
@@ -42,6 +44,8 @@ Media::Media(const Tracer& tracer, std::span<const Material> materials) : tracer
         boxes.push_back(solids_.back().bounds);
     }
     overlap_ = any_overlap(boxes);
+    all_vacuum_ =
+        std::none_of(materials.begin(), materials.end(), [](const Material& m) { return m.shader->interior(); });
 }
 
 const Medium* Media::interior(const Solid& solid, Vec3d p) const noexcept {
@@ -56,6 +60,7 @@ const Medium* Media::at(Vec3d p) const noexcept {
 }
 
 Interface Media::around(Vec3d p, const Hit& hit) const noexcept {
+    if (all_vacuum_) return {&vacuum, &vacuum};
     const Medium *front = nullptr, *back = nullptr;
     const Vec3d n(hit.ng);
     for (const Solid& solid : solids_) {

@@ -41,6 +41,7 @@ private:
     std::span<const Material> materials_;
     std::vector<Solid> solids_;  ///< those with a transparent material, in file order
     bool overlap_ = false;
+    bool all_vacuum_ = false;  ///< no material lets light in
 };
 
 }  // namespace cardioid

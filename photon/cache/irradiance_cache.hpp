@@ -1,0 +1,71 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "photon/cache/cache_index.hpp"
+#include "photon/cache/cache_record.hpp"
+#include "photon/cache/neighbour_tree.hpp"
+
+namespace cardioid::photon {
+
+/// How far a cache point may be used.
+struct CacheRules {
+    float reach = 0.15F;                       ///< a of equation 5: its share of the harmonic mean distance
+    float turn = 0.2F;                         ///< largest sqrt(1 - n.n_i); 0.2 is 16 degrees
+    float least_pixels = 3, most_pixels = 30;  ///< limits of a point's reach, as its place is seen
+};
+
+/// Irradiance that changes slowly, kept at few points and guessed between them (Ward, Rubinstein, Clear 1988;
+/// ARL-TR-3608, section 5, equations 5 and 6), with gradients (Ward, Heckbert 1992) and reaches that agree with those
+/// of their neighbours (Krivanek et al. 2006). Points are added by one thread, in batches; between that any thread may
+/// look up. The result depends on the order of the points alone.
+class IrradianceCache {
+public:
+    /// All points will be within `bounds`, not empty.
+    IrradianceCache(const CacheRules& rules, const Box3d& bounds);
+
+    /// Adds the points in order; each takes a reach that its neighbours allow, and limits theirs. Their positions are
+    /// relative to origin(). Where a reach becomes smaller a place may lose its points: lacks() tells.
+    void add(std::vector<CacheRecord> records);
+
+    /// Irradiance at p on the side of n, by equation 5; nothing where no point reaches.
+    [[nodiscard]] std::optional<Rgb> irradiance(Vec3d p, Vec3 n) const noexcept;
+    /// Whether there should be one more point here: none reaches comfortably.
+    [[nodiscard]] bool lacks(Vec3d p, Vec3 n) const noexcept;
+
+    /// Calls visit(i, step, t) for the points that may be used at p on the side of n: records()[i], p relative to it,
+    /// and equation 6 as a share of what is allowed, in [0, 1).
+    template <class Visit>
+    void around(Vec3d p, Vec3 n, Visit&& visit) const noexcept {
+        const Vec3 q(p - origin_);
+        index_.around(q, n, rules_.turn, [&](std::uint32_t i, float t) {
+            const CacheRecord& record = records_[i];
+            const Vec3 step = q - record.p;
+            const float near = record.occluders.nearest();
+            if (dot(step, step) > near * near && !record.occluders.free(Frame(record.n).to_local(step))) return;
+            visit(i, step, t);
+        });
+    }
+
+    [[nodiscard]] const CacheRules& rules() const noexcept { return rules_; }
+    [[nodiscard]] Vec3d origin() const noexcept { return origin_; }
+    [[nodiscard]] const std::vector<CacheRecord>& records() const noexcept { return records_; }
+    /// How far a record may be used, scene units.
+    [[nodiscard]] float reach(const CacheRecord& record) const noexcept {
+        return std::clamp(rules_.reach * record.distance, record.least, record.most);
+    }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept {
+        return index_.memory_bytes() + records_.capacity() * sizeof(CacheRecord);
+    }
+
+private:
+    void clamp_neighbours(CacheRecord& record);
+
+    CacheRules rules_;
+    Vec3d origin_;
+    std::vector<CacheRecord> records_;
+    NeighbourTree neighbours_;
+    CacheIndex index_;
+};
+
+}  // namespace cardioid::photon

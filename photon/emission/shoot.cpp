@@ -1,0 +1,87 @@
+#include "photon/emission/shoot.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "photon/emission/batches.hpp"
+#include "rt_core/api/parallel.hpp"
+
+namespace cardioid::photon {
+
+namespace {
+
+/// Photons of a chunk. Results do not depend on it but for the grouping of the ledger's sums.
+constexpr std::uint64_t chunk_size = 1 << 12;
+
+struct Chunk {
+    std::vector<Photon> photons;
+    Ledger ledger;
+};
+
+/// The power of two nearest to a photon's mean flux, so that encoded fluxes lie about 1.
+float flux_scale(Rgb power, std::uint64_t count) {
+    const double mean = double{max_component(power)} / static_cast<double>(std::max<std::uint64_t>(count, 1));
+    if (!std::isfinite(mean) || !(mean > 0)) return 1;
+    return std::ldexp(1.0F, std::clamp(static_cast<int>(std::lround(std::log2(mean))), -100, 100));
+}
+
+/// Emits the photons [first, last) of the list.
+void run_chunk(const World& world, const PhotonOptions& options, const ShotRequest& request, const BatchList& list,
+               std::uint64_t first, std::uint64_t last, PhotonPath& path) {
+    const auto after = std::upper_bound(list.batches.begin(), list.batches.end(), first,
+                                        [](std::uint64_t i, const Batch& batch) { return i < batch.first; });
+    auto batch = after - 1;
+    for (std::uint64_t i = first; i < last; ++i) {
+        if (i >= batch->first + batch->count) ++batch;
+        Sampler sampler = photon_sampler(request.seed, request.pass, batch->cell.light, batch->stratum,
+                                         static_cast<std::uint32_t>(i - batch->first));
+        const EmissionNumbers u = batch->cell.inside(draw_emission(options.directions, sampler));
+        const LightEmission emission = world.lights()[batch->cell.light]->emit(u.place, u.direction);
+        path.follow(emission.ray, emission.flux * batch->share, sampler);
+    }
+}
+
+/// Chunk after chunk in one list; each is given back as soon as it is copied, so that little is held twice.
+void concatenate(std::vector<Chunk>& chunks, Shot& shot) {
+    std::size_t count = 0;
+    for (const Chunk& chunk : chunks) count += chunk.photons.size();
+    shot.photons.reserve(count);
+    for (Chunk& chunk : chunks) {
+        shot.photons.insert(shot.photons.end(), chunk.photons.begin(), chunk.photons.end());
+        std::vector<Photon>().swap(chunk.photons);
+        shot.ledger += chunk.ledger;
+    }
+}
+
+}  // namespace
+
+Shot shoot(const World& world, const PhotonOptions& options, const ShotRequest& request, Progress& progress) {
+    const BatchList list = request.aim && !request.aim->cells.empty()
+                               ? aimed_batches(world.lights(), request.count, *request.aim)
+                               : even_batches(world.lights(), request.count, options.shares);
+    Shot shot;
+    shot.power = total_power(world.lights());
+    shot.emitted = list.total;
+    shot.origin = world.bounds().empty() ? Vec3d{} : world.bounds().centre();
+    shot.flux_scale = flux_scale(shot.power, list.total);
+
+    std::vector<Chunk> chunks((list.total + chunk_size - 1) / chunk_size);
+    std::atomic<std::uint64_t> done{0};
+    parallel_for(static_cast<std::int64_t>(chunks.size()), [&](std::int64_t c) {
+        if (progress.interrupted()) return;
+        const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
+        PhotonPath path(world, {options.roulette, options.rr_double_count},
+                        {request.keep, options.store, shot.origin, shot.flux_scale});
+        // Memory that is not written to costs nothing; growing would.
+        path.photons.reserve(4 * chunk_size);
+        run_chunk(world, options, request, list, first, std::min(first + chunk_size, list.total), path);
+        Chunk& chunk = chunks[static_cast<std::size_t>(c)];
+        chunk.photons = std::move(path.photons);
+        chunk.ledger = path.ledger;
+        progress.update(static_cast<double>(++done) / static_cast<double>(chunks.size()));
+    });
+    concatenate(chunks, shot);
+    return shot;
+}
+
+}  // namespace cardioid::photon

@@ -1,0 +1,24 @@
+#pragma once
+#include "photon/cache/cache_record.hpp"
+#include "photon/gather/incoming_light.hpp"
+
+namespace cardioid::photon {
+
+/// Gathers indirect light over hemispheres (ARL-TR-3608, section 5 and note [7]).
+class FinalGather {
+public:
+    /// `light` must outlive it.
+    FinalGather(const IncomingLight& light, const Hemisphere& hemisphere, std::uint32_t seed)
+        : light_(light), hemisphere_(hemisphere), seed_(seed) {}
+
+    /// A cache point at `point` on the side of the shading normal n; `index` names its random numbers. Its position,
+    /// relative to `origin`, and all but the limits of its reach are set.
+    [[nodiscard]] CacheRecord record(const SurfacePoint& point, Vec3 n, std::uint64_t index, Vec3d origin) const;
+
+private:
+    const IncomingLight& light_;
+    Hemisphere hemisphere_;
+    std::uint32_t seed_;
+};
+
+}  // namespace cardioid::photon

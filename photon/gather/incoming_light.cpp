@@ -1,0 +1,123 @@
+#include "photon/gather/incoming_light.hpp"
+
+#include "photon/gather/lambert.hpp"
+#include "photon/gather/side.hpp"
+
+namespace cardioid::photon {
+
+namespace {
+
+/// Mirrors and glass that a ray may meet, those met before the roulette begins, and the best chance to live then.
+constexpr int most_bounces = 10'000, sure_bounces = 4;
+constexpr float best_chance = 0.95F;
+/// Diffuse surfaces that are passed on the way to one that is far enough to be read from the map.
+constexpr int most_near = 8;
+
+constexpr Lobe followed = Lobe::glossy | Lobe::specular | Lobe::transmitted;
+
+bool survives(Rgb& throughput, float chance, float u) {
+    if (!(u < chance)) return false;
+    throughput *= 1 / chance;
+    return true;
+}
+
+}  // namespace
+
+/// Where a ray is on its way.
+struct IncomingLight::Walk {
+    Vec3 wo;              ///< world, back along the ray
+    double distance = 0;  ///< since the last diffuse surface
+    int near = 0;         ///< diffuse surfaces passed
+};
+
+IncomingLight::Found IncomingLight::along(const SurfacePoint& point, Vec3 wi, Sampler& sampler) const noexcept {
+    Found found;
+    found.L = follow(point, wi, {}, sampler, found.distance);
+    return found;
+}
+
+Rgb IncomingLight::follow(const SurfacePoint& start, Vec3 wi, Walk walk, Sampler& sampler,
+                          double& first) const noexcept {
+    Rgb sum, throughput(1);
+    SurfacePoint point = start;
+    for (int bounce = 0; bounce < most_bounces; ++bounce) {
+        const Medium* medium = medium_towards(point, wi);
+        const Ray ray = point.ray(wi);
+        const Hit hit = world_.intersect(ray);
+        if (bounce == 0) first = hit.t;
+        if (!hit.found()) break;
+        if (!is_black(medium->absorption)) throughput *= exp(medium->absorption * -static_cast<float>(hit.t));
+        walk.distance += hit.t;
+        point = world_.surface(ray, hit);
+        if (point.lamp >= 0) break;
+        walk.wo = -wi;
+        BsdfMemory memory;
+        const Bsdf* bsdf = world_.bsdf(point, memory);
+        const Lobe lobes = bsdf->lobes();
+        if (any(lobes & Lobe::diffuse)) sum += throughput * diffuse(point, *bsdf, walk, sampler);
+        if (!any(lobes & (Lobe::glossy | Lobe::specular))) break;
+        const float u_lobe = sampler.next();
+        const BsdfSample s = bsdf->sample(point.frame.to_local(walk.wo), u_lobe, sampler.next2(), followed);
+        throughput *= s.weight;
+        if (is_black(throughput) || !is_finite(throughput)) break;
+        if (bounce >= sure_bounces &&
+            !survives(throughput, std::min(best_chance, max_component(throughput)), sampler.next()))
+            break;
+        wi = point.frame.to_world(s.wi);
+    }
+    return sum;
+}
+
+/// Light that the diffuse lobe of a place sends back along the ray.
+Rgb IncomingLight::diffuse(const SurfacePoint& point, const Bsdf& bsdf, const Walk& walk,
+                           Sampler& sampler) const noexcept {
+    const Rgb albedo = bsdf.albedo(point.frame.to_local(walk.wo)).diffuse;
+    if (is_black(albedo)) return {};
+    const Vec3 ng = geometric_normal(point, walk.wo);
+    if (!parts_.radiance)
+        return parts_.map ? albedo * parts_.map->irradiance(point, ng, parts_.lookup, &world_).E * inv_pi : Rgb{};
+    if (parts_.always_near && walk.near == 0) return diffuse_nearby(point, albedo, walk, sampler);
+    const RadiancePayload* known = parts_.radiance->nearest(point, ng);
+    if (!known) return {};
+    if (walk.near < most_near && walk.distance < double{parts_.near * known->blur})
+        return diffuse_nearby(point, albedo, walk, sampler);
+    return albedo * known->E * inv_pi;
+}
+
+/// The same without a look at the radiance photons of this place: light from lamps, caustics, and one more ray.
+Rgb IncomingLight::diffuse_nearby(const SurfacePoint& point, Rgb albedo, const Walk& walk,
+                                  Sampler& sampler) const noexcept {
+    const Lambert lobe(albedo);
+    Rgb L = world_.direct(point, lobe, walk.wo, sampler);
+    if (parts_.caustics) {
+        const Vec3 ng = geometric_normal(point, walk.wo);
+        L += albedo * parts_.caustics->irradiance(point, ng, parts_.caustic_lookup, &world_).E * inv_pi;
+    }
+    Rgb throughput = albedo;
+    const float u_survive = sampler.next();
+    const BsdfSample s = lobe.sample(point.frame.to_local(walk.wo), 0, sampler.next2(), Lobe::diffuse);
+    if (is_black(s.weight) || !survives(throughput, std::min(1.0F, max_component(albedo)), u_survive)) return L;
+    double ignored = 0;
+    return L + throughput * follow(point, point.frame.to_world(s.wi), {.near = walk.near + 1}, sampler, ignored);
+}
+
+Rgb IncomingLight::scattered(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, Lobe which,
+                             Sampler& sampler) const noexcept {
+    const float u_lobe = sampler.next();
+    const BsdfSample s = bsdf.sample(point.frame.to_local(wo), u_lobe, sampler.next2(), which);
+    if (is_black(s.weight) || s.is_delta()) return {};
+    return s.weight * along(point, point.frame.to_world(s.wi), sampler).L;
+}
+
+Rgb IncomingLight::irradiance(const SurfacePoint& point, Vec3 n, int rays, Sampler& sampler) const noexcept {
+    const Frame frame(n);
+    const bool outside = dot(n, point.ng) > 0;
+    Rgb sum;
+    for (int i = 0; i < rays; ++i) {
+        const Vec3 wi = frame.to_world(sample_cosine_hemisphere(sampler.next2()));
+        if ((dot(wi, point.ng) > 0) == outside) sum += along(point, wi, sampler).L;
+    }
+    return sum * (pi / static_cast<float>(rays));
+}
+
+}  // namespace cardioid::photon

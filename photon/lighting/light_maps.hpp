@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+
+#include "photon/gather/incoming_light.hpp"
+#include "photon/lighting/tuning.hpp"
+#include "rt_core/api/lighting.hpp"
+
+namespace cardioid::photon {
+
+/// What of the lookups a plan has found, as it is saved.
+struct LookupSizes {
+    std::uint32_t k = 50, caustic_k = 50;
+    float radius = 0, caustic_radius = 0;  ///< scene units, above 0
+};
+
+/// What is known of a scene's light before anything is drawn.
+struct LightMaps {
+    LookupSizes sizes;
+    std::optional<PhotonMap> global;  ///< where lookups read it, or it was asked for
+    LookupRule global_lookup;
+    std::optional<PhotonMap> caustics;
+    LookupRule caustic_lookup;
+    RadianceMap radiance;     ///< for the rays of gathers
+    RadianceMap precomputed;  ///< the report's cache points
+    std::vector<Statistic> statistics;
+};
+
+/// Sets how the maps are read.
+void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMaps& maps);
+
+/// Shoots the photons of a plan and makes what `options.indirect` reads. Throws Error. Warns of what is wrong with the
+/// scene; stops early when interrupted, the maps are then of no use.
+[[nodiscard]] LightMaps make_light_maps(const World& world, const PhotonOptions& options, const Plan& plan,
+                                        const Tuning& tuning, std::uint32_t seed, Progress& progress);
+
+/// Rays of a gather that end in these maps; they must outlive it. `always_near`: IncomingLight::Parts.
+[[nodiscard]] IncomingLight make_incoming(const World& world, const LightMaps& maps, bool always_near);
+
+}  // namespace cardioid::photon

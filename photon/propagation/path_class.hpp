@@ -1,0 +1,32 @@
+#pragma once
+#include "photon/map/photon.hpp"
+
+namespace cardioid::photon {
+
+/// Which term of ARL-TR-3608's equation 1 a photon belongs to where it is found. Every path from a light L to the eye E
+/// is accounted for exactly once. With D a diffuse, G a glossy (finite width) and S a specular scattering, T a straight
+/// pass through a thin filter, X = S|G|T, x the point seen (which has non-delta lobes) and s = (S|T)* its way to the
+/// eye:
+///
+///     path            class      who accounts for it
+///     L s E                      LightParts::emission: the renderer, following the eye's ray
+///     L T* x s E      direct     World::direct: next-event estimation through filters, all non-delta lobes of x
+///     L X* x s E      caustic    LightingModule::caustic: the caustic map; X* has an S or a G
+///     L (X|D)* x s E  indirect   LightingModule::indirect: cache, gather or global map; (X|D)* has a D
+///
+/// A final gather for the last row sends rays from x and follows them by X. Where one meets a diffuse lobe, it takes
+/// *all* photons of the global map there, of whatever class, times that lobe alone; where one meets a light, nothing:
+/// the two rows before have it. So an S or a G between x and the last D is traced, every D is looked up.
+///
+/// The global map holds photons of all classes, so that it answers both "everything that falls here" (gather) and, by
+/// class, each row alone. The caustic map is shot by itself and holds its one class; caustic photons of the global map
+/// are not added to it.
+enum class PathClass : std::uint8_t { direct, caustic, indirect };
+inline constexpr int path_classes = 3;
+
+constexpr PathClass path_class(Way way) {
+    if (has(way, Way::diffuse)) return PathClass::indirect;
+    return way == Way::direct ? PathClass::direct : PathClass::caustic;
+}
+
+}  // namespace cardioid::photon

@@ -1,0 +1,114 @@
+#include "photon/propagation/photon_path.hpp"
+
+namespace cardioid::photon {
+
+namespace {
+
+/// A path this long is cut off: a photon between perfect mirrors would never end.
+constexpr int most_bounces = 10'000;
+
+Way way_of(Lobe lobe) {
+    if (any(lobe & Lobe::diffuse)) return Way::diffuse;
+    return any(lobe & Lobe::glossy) ? Way::glossy : Way::specular;
+}
+
+}  // namespace
+
+/// A photon on its way.
+struct PhotonPath::Leg {
+    Ray ray;
+    Rgb flux;
+    Way way = Way::direct;
+    int bounces = 0;
+    bool caustic = false;  ///< has left a caustic photon
+};
+
+void PhotonPath::follow(Ray ray, Rgb flux, Sampler& sampler) {
+    ++ledger.paths;
+    if (!is_finite(flux)) {
+        ++ledger.not_finite;
+        return;
+    }
+    if (!(max_component(flux) > 0)) return;
+    ledger.emitted += flux;
+    Leg leg{ray, flux};
+    while (step(leg, sampler)) {
+        if (++leg.bounces < most_bounces) continue;
+        ++ledger.cut;
+        ledger.cut_off += leg.flux;
+        break;
+    }
+    if (leg.caustic) ++ledger.caustic_paths;
+}
+
+/// One segment and the surface at its end; false where the path ends, its flux accounted for.
+bool PhotonPath::step(Leg& leg, Sampler& sampler) {
+    ++ledger.rays;
+    const Hit hit = world_.intersect(leg.ray);
+    if (!hit.found()) {
+        ledger.escaped += leg.flux;
+        return false;
+    }
+    const SurfacePoint point = world_.surface(leg.ray, hit);
+    const Vec3 wo(-leg.ray.d);
+    // The side it arrives on tells what it came through, without a record of what it entered and left.
+    const Medium* medium = dot(point.ng, wo) > 0 ? point.front : point.back;
+    if (medium && !is_black(medium->absorption)) {
+        const Rgb left = pass_medium(*medium, hit.t, leg.flux, sampler.next());
+        ledger.absorbed += leg.flux;
+        ledger.absorbed -= left;
+        leg.flux = left;
+        if (is_black(left)) return false;
+    }
+    if (point.lamp >= 0) {
+        ledger.absorbed += leg.flux;
+        return false;
+    }
+    BsdfMemory memory;
+    return bounce(leg, point, *world_.bsdf(point, memory), sampler);
+}
+
+/// Keeps the photon and sends it on; false where it is absorbed.
+bool PhotonPath::bounce(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, Sampler& sampler) {
+    const Lobe lobes = bsdf.lobes();
+    const bool scatters = any(lobes & (Lobe::diffuse | Lobe::glossy));
+    if (leg.bounces == 0 && any(lobes & (Lobe::specular | Lobe::glossy))) ++ledger.specular_first;
+    // Where there is nothing to choose, the roulette's number is enough.
+    const Vec2 u = lobes == Lobe::diffuse ? Vec2{0, sampler.next()} : sampler.next2();
+    const Vec2 u_direction = sampler.next2();
+    const Vec3 wo = point.frame.to_local(Vec3(-leg.ray.d));
+    const Lobe which = store_.keep == Keep::caustics ? Lobe::glossy | Lobe::specular | Lobe::transmitted : Lobe::all;
+    Scattered next = scatter({world_, point, bsdf, wo, leg.flux, which, rule_}, u, u_direction);
+    if (!is_finite(next.flux)) {
+        ++ledger.not_finite;
+        ledger.cut_off += leg.flux;
+        return false;
+    }
+    const bool ends = is_black(next.flux);
+    if (scatters && (ends || store_.which == Store::all)) keep(leg, point);
+    ledger.absorbed += leg.flux;
+    if (ends) return false;
+    ledger.absorbed -= next.flux;
+    leg.flux = next.flux;
+    if (!next.straight) leg.way = leg.way | way_of(next.lobe);
+    // A filter does not bend the ray at all: rounding must not either.
+    const Vec3d unbent = leg.ray.d;
+    leg.ray = point.ray(point.frame.to_world(next.wi));
+    if (next.straight) leg.ray.d = unbent;
+    return true;
+}
+
+void PhotonPath::keep(Leg& leg, const SurfacePoint& point) {
+    const PathClass kind = path_class(leg.way);
+    leg.caustic = leg.caustic || kind == PathClass::caustic;
+    if (store_.keep == Keep::caustics && kind != PathClass::caustic) return;
+    const auto i = static_cast<std::size_t>(kind);
+    ++ledger.photons[i];
+    ledger.stored[i] += leg.flux;
+    const Vec3 wi(-leg.ray.d);
+    const Vec3 n = dot(point.ng, wi) < 0 ? -point.ng : point.ng;
+    photons.push_back({Vec3(point.p - store_.origin), encode_flux(leg.flux, store_.scale), encode_direction(wi),
+                       encode_direction(n), point.id.region, leg.way, 0});
+}
+
+}  // namespace cardioid::photon

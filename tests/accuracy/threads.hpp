@@ -1,0 +1,18 @@
+#pragma once
+#include <omp.h>
+
+namespace cardioid::test {
+
+/// Sets how many threads OpenMP uses, and at its end gives back the number from before.
+class Threads {
+public:
+    explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
+    ~Threads() { omp_set_num_threads(before_); }
+    Threads(const Threads&) = delete;
+    Threads& operator=(const Threads&) = delete;
+
+private:
+    int before_;
+};
+
+}  // namespace cardioid::test

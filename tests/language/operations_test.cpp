@@ -1,0 +1,179 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "csg/exact/evaluate_mesh.hpp"
+#include "csg/shapes/mesh_repair.hpp"
+#include "tests/language/read.hpp"
+
+// hull, minkowski, resize, projection, offset and fill against volumes that are known.
+namespace {
+
+using namespace cardioid;
+using namespace cardioid::test;
+
+constexpr double pi = std::numbers::pi;
+
+double volume_of(const std::string& text, bool openscad_facets = false) {
+    ReadOptions options;
+    options.openscad_facets = openscad_facets;
+    Scene scene = read(text, options);
+    SolidTree& tree = scene.solids;
+    const TriangleMesh mesh = csg::evaluate_mesh(tree, tree.add_node(SolidOp::unite, tree.roots), 1e-4);
+    EXPECT_TRUE(mesh.closed || mesh.triangles.empty()) << text;
+    return csg::volume(mesh);
+}
+
+/// Volumes of figures one unit thick are their areas.
+double area_of(const std::string& figure, bool openscad_facets = false) {
+    return volume_of("linear_extrude(height = 1) " + figure, openscad_facets);
+}
+
+TEST(Hull, OfTwoCubesIsTheSolidBetweenThem) {
+    EXPECT_NEAR(volume_of("hull() { cube(2); translate([4, 0, 0]) cube(2); }"), 24, 1e-12);
+}
+
+TEST(Hull, OfTwoBallsIsACapsule) {
+    const double capsule = 4.0 / 3 * pi + pi * 10;
+    EXPECT_NEAR(volume_of("hull() { sphere(1); translate([0, 0, 10]) sphere(1); }"), capsule, 5e-3 * capsule);
+}
+
+TEST(Hull, OfADifferenceForgetsWhatIsCutFromItsMiddle) {
+    EXPECT_NEAR(volume_of("hull() difference() { cube(4); translate([1, 1, -1]) cube([2, 2, 9]); }"), 64, 1e-9);
+    EXPECT_NEAR(volume_of("hull() difference() { cube(4); translate([2, -1, -1]) cube(9); }"), 32, 1e-9);
+}
+
+TEST(Hull, StandsWhereTheTransformsAroundItSay) {
+    const Scene scene = read("translate([1, 2, 3]) scale([2, 1, 1]) hull() { cube(1); translate([1, 0, 0]) cube(1); }");
+    Box3d box;
+    const Leaf& leaf = scene.solids.leaves[0];
+    for (const Vec3d v : scene.solids.meshes[leaf.data]->vertices) box.include(leaf.to_world.point(v));
+    EXPECT_EQ(box.lo, Vec3d(1, 2, 3));
+    EXPECT_EQ(box.hi, Vec3d(5, 3, 4));
+}
+
+TEST(Hull, OfPointsInAPlaneOrOfNothingIsEmpty) {
+    EXPECT_EQ(tree_of(read("cube(1); hull();")), "box");
+    EXPECT_EQ(tree_of(read("cube(1); hull() { group(); }")), "box");
+}
+
+TEST(Hull, OfPlaneFiguresIsAPlaneFigure) {
+    EXPECT_NEAR(area_of("hull() { square(1); translate([2, 0]) square(1); }"), 3, 1e-9);
+    EXPECT_NEAR(area_of("hull() { circle(1); translate([4, 0]) circle(1); }"), pi + 8, 1e-3);
+    EXPECT_EQ(area_of("hull() { polygon([[0, 0], [1, 0], [0.2, 0.2], [0, 1]]); }"), 0.5);
+}
+
+TEST(Hull, OfAHalfSpaceIsRefusedWithItsPlace) {
+    EXPECT_TRUE(contains(error_of("cube(1);\nhull() half_space([0, 0, 1], 0);"), "t.csg:2:1: "));
+}
+
+TEST(Minkowski, OfTwoCubesIsACube) {
+    EXPECT_NEAR(volume_of("minkowski() { cube(2); cube([1, 2, 3]); }"), 3 * 4 * 5, 1e-9);
+}
+
+TEST(Minkowski, OfACubeAndABallIsARoundedCube) {
+    const double rounded = 8 + 6 * 4 * 0.5 + 12 * pi * 0.25 / 4 * 2 + 4.0 / 3 * pi * 0.125;
+    EXPECT_NEAR(volume_of("minkowski() { cube(2); sphere(0.5); }"), rounded, 1e-2 * rounded);
+}
+
+TEST(Minkowski, OfAnythingButConvexPartsIsThatOfTheConvexPartsItIsCutInto) {
+    // An L, 2 thick, grown by a cube of 1: [0,5]x[0,3] with a bite of 2 x 1 (3 - 1 each side).
+    const std::string l = "difference() { cube([4, 2, 2]); translate([1, 1, -1]) cube([9, 9, 9]); }";
+    EXPECT_NEAR(volume_of("minkowski() { " + l + " cube(1); }"), (5 * 3 - 3 * 1) * 3, 1e-9);
+    EXPECT_NEAR(volume_of("minkowski() { union() { cube([4, 1, 2]); cube([1, 2, 2]); } cube(1); }"), 36, 1e-9);
+}
+
+TEST(Minkowski, IsTheSameAtAnyPlaceButForThePlace) {
+    EXPECT_NEAR(
+        volume_of("translate([5, 0, 0]) minkowski() { translate([1, 0, 0]) cube(1); translate([0, 3, 0]) cube(1); }"),
+        8, 1e-9);
+}
+
+TEST(Minkowski, OfOneChildIsTheChild) { EXPECT_EQ(tree_of(read("minkowski() { sphere(1); }")), "ball"); }
+
+TEST(Minkowski, ThatWouldFillTheMemoryIsRefused) {
+    ReadOptions options;
+    options.openscad_facets = true;
+    EXPECT_EQ(
+        error_of("minkowski() { sphere(1, $fn = 150); sphere(2, $fn = 150); }", options).find("t.csg:1:1: minkowski()"),
+        0U);
+}
+
+TEST(Minkowski, OfPlaneFiguresIsTheirSum) {
+    EXPECT_NEAR(area_of("minkowski() { square(2); square([1, 3]); }"), 15, 1e-6);
+    EXPECT_NEAR(area_of("minkowski() { difference() { square(6); translate([2, 2]) square(2); } square(1); }"), 49 - 1,
+                1e-6);
+    EXPECT_NEAR(area_of("minkowski() { square(2); circle(1); }"), 4 + 8 + pi, 2e-3);
+}
+
+TEST(Resize, GivesTheSidesThatAreSaid) {
+    EXPECT_NEAR(volume_of("resize([4, 0, 0]) cube(2);"), 16, 1e-12);
+    EXPECT_NEAR(volume_of("resize(newsize = [4, 0, 0], auto = true) cube(2);"), 64, 1e-12);
+    EXPECT_NEAR(volume_of("resize(newsize = [4, 0, 0], auto = [0, 1, 0]) cube(2);"), 32, 1e-12);
+    EXPECT_EQ(tree_of(read("resize([4, 4, 4]) sphere(1);")), "ball");
+    EXPECT_EQ(read("resize([4, 4, 4]) sphere(1);").solids.leaves[0].to_world, Affine::scaling({2, 2, 2}));
+}
+
+TEST(Resize, SeesWhatBooleansLeave) {
+    EXPECT_NEAR(volume_of("resize([1, 0, 0]) difference() { cube(4); translate([2, -1, -1]) cube(9); }"), 16, 1e-9);
+}
+
+TEST(Resize, OfAPlaneFigureLeavesACircleACircle) {
+    EXPECT_NEAR(area_of("resize([4, 6]) square(2);"), 24, 1e-9);
+    EXPECT_EQ(tree_of(read("linear_extrude(1) resize([4, 4]) circle(1);")), "cone");
+}
+
+TEST(Projection, IsTheShadow) {
+    EXPECT_NEAR(area_of("projection() cube([2, 3, 4]);"), 6, 1e-6);
+    EXPECT_NEAR(area_of("projection() { cube(2); translate([1, 1, 5]) cube(2); }"), 7, 1e-6);
+    EXPECT_NEAR(area_of("projection() sphere(2);"), 4 * pi, 1e-2);
+    // The hole goes through only where nothing stands in the light.
+    EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, -1]) cube([2, 2, 9]); }"), 12, 1e-6);
+    EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, 1]) cube([2, 2, 9]); }"), 16, 1e-6);
+}
+
+TEST(Projection, CutIsTheSectionAtZero) {
+    EXPECT_NEAR(area_of("projection(cut = true) translate([0, 0, -1]) cube([2, 3, 4]);"), 6, 1e-6);
+    EXPECT_NEAR(area_of("projection(cut = true) cylinder(h = 4, r1 = 4, r2 = 0, center = true);"), 4 * pi, 1e-2);
+    EXPECT_NEAR(area_of("projection(cut = true) difference() { translate([0, 0, -2]) cube(4); translate([1, 1, -5]) "
+                        "cube([1, 1, 9]); }"),
+                15, 1e-6);
+    EXPECT_EQ(tree_of(read("cube(1); linear_extrude(1) projection(cut = true) translate([0, 0, 1]) cube(1);")), "box");
+}
+
+TEST(Projection, CutTakesFacesThatLieInThePlane) {
+    EXPECT_NEAR(area_of("projection(cut = true) cube(2);"), 4, 1e-6);
+    EXPECT_NEAR(area_of("projection(cut = true) translate([0, 0, -2]) cube(2);"), 4, 1e-6);
+}
+
+TEST(Offset, GrowsRoundMitredAndChamfered) {
+    EXPECT_NEAR(area_of("offset(r = 1) square(4);"), 16 + 16 + pi, 2e-3);
+    EXPECT_NEAR(area_of("offset(delta = 1) square(4);"), 36, 1e-6);
+    // A corner of the square of 36 is cut off at distance 1 from the old corner: legs of 2 - sqrt 2.
+    const double leg = 2 - std::sqrt(2.0), chamfered = 36 - 4 * leg * leg / 2;
+    EXPECT_NEAR(area_of("offset(delta = 1, chamfer = true) square(4);"), chamfered, 1e-3);
+    EXPECT_NEAR(area_of("offset(r = -1) square(4);"), 4, 1e-6);
+    EXPECT_EQ(tree_of(read("cube(1); linear_extrude(1) offset(r = -3) square(4);")), "box");
+}
+
+TEST(Offset, OfACircleIsACircle) { EXPECT_EQ(tree_of(read("linear_extrude(1) offset(r = 1) circle(3);")), "cone"); }
+
+TEST(Offset, OfASolidIsRefusedOrLeftOut) {
+    EXPECT_TRUE(
+        contains(warnings_of(read("cube(1); linear_extrude(1) offset(r = 1) cube(1);")), "among plane figures"));
+}
+
+TEST(Fill, LeavesNoHoles) {
+    EXPECT_NEAR(area_of("fill() difference() { square(6); translate([2, 2]) square(2); }"), 36, 1e-6);
+}
+
+TEST(Operations, KeepTheMaterialOfTheirFirstChild) {
+    const Scene scene = read("hull() { color([1, 0, 0, 1]) cube(1); translate([2, 0, 0]) cube(1); }");
+    EXPECT_NE(scene.solids.leaves[0].material, 0U);
+}
+
+TEST(Operations, InASubtrahendCut) {
+    EXPECT_NEAR(volume_of("difference() { cube(4); hull() { cube(1); translate([1, 0, 0]) cube(1); } }"), 62, 1e-9);
+}
+
+}  // namespace
