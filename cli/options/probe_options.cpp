@@ -52,12 +52,12 @@ void check(const ProbeOptions& o) {
 }  // namespace
 
 ProbeSettings ProbeOptions::settings_for_probe() const {
-    ProbeSettings settings;
-    settings.what = what;
-    settings.noise = noise > 0 ? noise : samples > 0 ? 0 : fallback_noise;
-    settings.most_samples = samples;
-    settings.seed = seed;
-    return settings;
+    ProbeSettings probe;
+    probe.what = what;
+    probe.noise = noise > 0 ? noise : samples > 0 ? 0 : fallback_noise;
+    probe.most_samples = samples;
+    probe.seed = seed;
+    return probe;
 }
 
 std::optional<ProbeOptions> parse_probe_options(const std::vector<std::string>& words) {

@@ -152,12 +152,12 @@ void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMa
     maps.global_lookup.max_radius = sizes.radius;
     maps.caustic_lookup.k = sizes.caustic_k;
     maps.caustic_lookup.kernel = options.caustic_kernel;
+    maps.caustic_lookup.max_radius = sizes.caustic_radius;
     if (options.mode == Mode::report) return;
     // A lookup that shrinks where light changes may begin with more photons, and go farther where they are few.
     maps.caustic_lookup.adapt = true;
     if (!options.caustic_k) maps.caustic_lookup.k = sizes.caustic_k * 5 / 2;
     if (!options.caustic_radius) maps.caustic_lookup.max_radius *= 4;
-    maps.caustic_lookup.max_radius = sizes.caustic_radius;
 }
 
 LightMaps make_light_maps(const World& world, const PhotonOptions& options, const Plan& plan, const Tuning& tuning,

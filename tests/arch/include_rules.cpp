@@ -50,7 +50,7 @@ const std::vector<Library>& libraries() {
         {"CGAL/", {"csg/"}},
         {"polyclipping/", {"csg/"}},
         {"CLI/", {"cli/"}},
-        {"nlohmann/", {"cli/"}},
+        {"nlohmann/", {"cli/", "formats/mesh/"}},
     };
     return all;
 }

@@ -170,11 +170,11 @@ TEST(PathAgreement, OfOneBounceWithDirectLightForEveryLamp) {
         const CommittedScene scene = kit.commit();
         const PathKit path(scene, {{"depth", 1}});
         Moments direct, indirect;
-        path.along({-1, -0.6, 0.9}, {1, 0.4, -0.9}, 90 * test::batch, [&](const LightParts& parts) {
+        path.along({-1, -0.6, 0.9}, {1, 0.4, -0.9}, 150 * test::batch, [&](const LightParts& parts) {
             direct.add(static_cast<double>(parts.direct.g));
             EXPECT_EQ(parts.sum(), parts.direct);
         });
-        const Moments wanted = PathKit(scene).at_point({-1, -0.6, 0.9}, {1, 0.4, -0.9}, 90 * test::batch).direct;
+        const Moments wanted = PathKit(scene).at_point({-1, -0.6, 0.9}, {1, 0.4, -0.9}, 150 * test::batch).direct;
         expect_mean(direct, wanted.mean(), lamp.kind, wanted.error());
     }
 }

@@ -62,7 +62,7 @@ TEST(BuiltInMaterials, HaveNamesHelpAndDistinctParameters) {
         std::set<std::string> params;
         for (const ParamSpec& spec : kind.params) EXPECT_TRUE(params.insert(spec.name).second);
     }
-    EXPECT_EQ(names.size(), 9U);
+    EXPECT_EQ(names.size(), 10U);
 }
 
 TEST(Metals, AllHaveNamesThatAreFound) {
