@@ -16,7 +16,7 @@ public:
         LookupRule caustic_lookup;
         /// Places nearer than this many radii of the disc that made a radiance photon are not read from it, for it
         /// is too coarse there: direct light is sampled and one more ray sent (Jensen 1996). It keeps corners right.
-        float near = 2;
+        float near = 1.5F;
         /// The place where a ray ends first is never looked up, however far.
         bool always_near = false;
     };

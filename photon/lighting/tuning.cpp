@@ -17,7 +17,7 @@ constexpr double usual_reach = 0.25, least_reach = 0.05, most_reach = 0.5;
 
 /// Points of the caustic cache reach this share of the radius that their photons came from: within that a density
 /// estimate hardly changes.
-constexpr float caustic_reach = 0.4F;
+constexpr float caustic_reach = 0.8F;
 
 HemisphereCells cells_of(Strata strata) {
     switch (strata) {

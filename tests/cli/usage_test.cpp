@@ -85,7 +85,7 @@ TEST(WrongUsage, OfTheOtherCommandsNamesTheNearest) {
                   Wrong{{"list", "shaders", "lights"}, "found \"lights\" after WHAT"},
                   Wrong{{"convert", "a.csg", "-o", "./a.csg"}, "-o: ./a.csg is the scene itself"},
                   Wrong{{"convert", "a.csg"}, "no -o FILE is given"},
-                  Wrong{{"convert", "a.csg", "-o", "a.stl"}, "found ending \".stl\", can write .csg"},
+                  Wrong{{"convert", "a.csg", "-o", "a.step"}, "found ending \".step\", can write .csg"},
                   Wrong{{"convert", "a.csg", "-o", "a.cgs"}, "(did you mean \".csg\"?)"},
                   Wrong{{"info"}, "no SCENE|IMAGE"},
                   Wrong{{"check", "a.csg", "--jsno", "f"}, "(did you mean \"--json\"?)"},

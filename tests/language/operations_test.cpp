@@ -126,7 +126,7 @@ TEST(Resize, OfAPlaneFigureLeavesACircleACircle) {
 TEST(Projection, IsTheShadow) {
     EXPECT_NEAR(area_of("projection() cube([2, 3, 4]);"), 6, 1e-6);
     EXPECT_NEAR(area_of("projection() { cube(2); translate([1, 1, 5]) cube(2); }"), 7, 1e-6);
-    EXPECT_NEAR(area_of("projection() sphere(2);"), 4 * pi, 1e-2);
+    EXPECT_NEAR(area_of("projection() sphere(2);"), 4 * pi, 3e-2);
     // The hole goes through only where nothing stands in the light.
     EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, -1]) cube([2, 2, 9]); }"), 12, 1e-6);
     EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, 1]) cube([2, 2, 9]); }"), 16, 1e-6);
@@ -147,7 +147,7 @@ TEST(Projection, CutTakesFacesThatLieInThePlane) {
 }
 
 TEST(Offset, GrowsRoundMitredAndChamfered) {
-    EXPECT_NEAR(area_of("offset(r = 1) square(4);"), 16 + 16 + pi, 2e-3);
+    EXPECT_NEAR(area_of("offset(r = 1) square(4);"), 16 + 16 + pi, 3e-3);
     EXPECT_NEAR(area_of("offset(delta = 1) square(4);"), 36, 1e-6);
     // A corner of the square of 36 is cut off at distance 1 from the old corner: legs of 2 - sqrt 2.
     const double leg = 2 - std::sqrt(2.0), chamfered = 36 - 4 * leg * leg / 2;
