@@ -93,6 +93,8 @@ LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, co
             require_param(*choice.kind, scene.photons, key);
             choice.params.set(key, value);
         }
+    if (name == "photon" && options.photon_error && !choice.params.has("error"))
+        choice.params.set("error", *options.photon_error);
     if (photons && options.photons != "true") apply_setting("photon.count=" + options.photons, registry, choice);
     for (const std::string& setting : options.settings) apply_setting(setting, registry, choice);
     return choice;

@@ -49,13 +49,22 @@ void add_quality_options(Arguments& a, RenderOptions& o) {
         const std::vector<std::string> names{"draft", "normal", "high"};
         const std::string name = to_choice("--quality", text, names);
         o.quality_samples = name == "draft" ? 4 : name == "normal" ? 32 : 256;
+        if (!(o.noise > 0)) o.photon_error = name == "draft" ? 0.1 : name == "normal" ? 0.05 : 0.02;
     });
     a.value("--spp", "N", "Samples a pixel [the scene's, else --quality]",
             [&](const std::string& text) { o.samples = static_cast<int>(to_integer("--spp", text, 1, most_samples)); });
     a.value("--time", "TIME", "Sample for so long: 30s, 2m, 1.5h",
             [&](const std::string& text) { o.time_s = to_seconds("--time", text); });
-    a.value("--noise", "SHARE", "Sample until the standard error is below: 2%",
-            [&](const std::string& text) { o.noise = to_share("--noise", text); });
+    a.value("--noise", "SHARE", "Sample until the standard error is below: 2%", [&](const std::string& text) {
+        o.noise = to_share("--noise", text);
+        // Hundreds of rays and several cache points average what a lookup scatters by.
+        o.photon_error = std::clamp(5 * o.noise, 0.01, 0.3);
+    });
+    a.value("--filter", "gaussian|box", "Shape of a pixel; box: its square alone [gaussian]",
+            [&](const std::string& text) {
+                const std::vector<std::string> names{"gaussian", "box"};
+                o.box_filter = to_choice("--filter", text, names) == "box";
+            });
     add_seed_options(a, o, "picture");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace cardioid::cli {
 /// What every command that traces light was told; what is empty was not said.
 struct RunOptions {
     std::string lighting;
-    std::string photons;  ///< "true" or a count
+    std::optional<double> photon_error;  ///< what --quality or --noise asks of photon.error
+    std::string photons;                 ///< "true" or a count
     bool no_photons = false;
     std::vector<std::string> settings;  ///< "module.option=value"
     std::string save_map, load_map;
