@@ -1,5 +1,8 @@
 #include "cli/builtins.hpp"
 
+#include "formats/brlcad/brlcad_format.hpp"
+#include "formats/brlcad/look/rt_lighting.hpp"
+#include "formats/brlcad/look/rt_surface.hpp"
 #include "formats/mesh/write/mesh_formats.hpp"
 #include "formats/openscad/openscad_format.hpp"
 #include "formats/povray/povray_format.hpp"
@@ -17,10 +20,12 @@ namespace {
 void add_builtins(Registry& registry) {
     for (const ShaderKind& kind : shaders::builtin_shaders()) registry.add(kind);
     for (const LightKind& kind : shaders::builtin_lights()) registry.add(kind);
+    registry.add(formats::brlcad::rt_surface_kind);
     registry.add(direct_lighting);
     registry.add(path_lighting);
     registry.add(whitted_lighting);
     registry.add(photon::photon_lighting);
+    registry.add(formats::rt_lighting);
     registry.add(formats::csg_format);
     registry.add(formats::scad_format);
     registry.add(formats::stl_format);
@@ -29,6 +34,7 @@ void add_builtins(Registry& registry) {
     registry.add(formats::off_format);
     registry.add(formats::three_mf_format);
     registry.add(formats::pov_format);
+    registry.add(formats::brlcad_format);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 set(CARDIOID_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cardioid)
 
 install(TARGETS cardioid_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS cardioid_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/cardioid)
 install(DIRECTORY rt_core/api rt_core/math rt_core/scene
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cardioid/rt_core
         FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")

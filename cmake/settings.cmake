@@ -13,6 +13,10 @@ if(CARDIOID_CCACHE)
   endif()
 endif()
 
+# Where programs look for our module of picture formats, in the build folder and installed.
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/rt_core)
+set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}/cardioid)
+
 # CGAL's units need a gigabyte each, so only one of them compiles at a time.
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS heavy=1)
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array<double, 2> slant{0.0137, 0.0071};  ///< shift of a line over the box, as a share of the box's sides
 constexpr int most_boundaries = 1'000'000;              ///< of one line: stops a walk that does not get on
+constexpr double grazing = 1e-6;                        ///< cosine below which a normal of single precision has no side
 
 /// Lines through a box, nearly parallel to one of its sides, from just outside one face to just outside the opposite.
 class LineGrid {
@@ -107,15 +108,17 @@ std::vector<Span> inside_spans(const Region& region, Vec3d o, Vec3d d, double le
         ray.t_max = length - at;
         if (!(ray.t_max > 0) || !region.first_boundary(ray, 0, hit)) break;
         at += hit.t;
-        if (inside)
-            spans.back().end = at;
-        else
-            spans.push_back({at, length});
-        inside = !inside;
+        const double facing = dot(Vec3d(hit.ng), d);
+        const bool enters = std::abs(facing) > grazing ? facing < 0 : !inside;
+        if (inside) spans.back().end = enters ? spans.back().begin : at;
+        if (enters) spans.push_back({at, length});
+        inside = enters;
         ray.o = o + d * at;
         ray.from = {0, hit.id.face};
         ray.from_ng = hit.ng;
     }
+    // What ends nowhere is thinner than a ray's start can tell.
+    if (inside && !region.bounds().contains(o + d * length)) spans.pop_back();
     return spans;
 }
 

@@ -40,6 +40,8 @@ const char* leaf_kind_name(LeafKind kind) {
             return "revolution";
         case LeafKind::mesh:
             return "mesh";
+        case LeafKind::form:
+            return "form";
     }
     return "";
 }
@@ -52,6 +54,7 @@ SolidTree subtree(const SolidTree& tree, std::uint32_t root) {
     SolidTree part;
     part.profiles = tree.profiles;
     part.meshes = tree.meshes;
+    part.forms = tree.forms;
     for (const std::uint32_t old : kept) {
         const SolidNode& node = tree.nodes[old];
         if (node.op == SolidOp::leaf) {

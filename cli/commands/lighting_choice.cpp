@@ -84,7 +84,10 @@ void apply_setting(const std::string& setting, const Registry& registry, Lightin
 
 LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, const Registry& registry) {
     const bool photons = !options.photons.empty();
-    const std::string name = !options.lighting.empty() ? options.lighting : photons ? "photon" : "direct";
+    const std::string name = !options.lighting.empty() ? options.lighting
+                             : photons                 ? "photon"
+                             : !scene.lighting.empty() ? scene.lighting
+                                                       : "direct";
     LightingChoice choice;
     choice.kind = &find_kind(photons ? "--photons" : "--lighting", name, registry);
     choice.params = Params("--set");
@@ -98,6 +101,18 @@ LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, co
     if (photons && options.photons != "true") apply_setting("photon.count=" + options.photons, registry, choice);
     for (const std::string& setting : options.settings) apply_setting(setting, registry, choice);
     return choice;
+}
+
+void end_straight_shadows(Scene& scene, LightingChoice& choice) {
+    const std::string_view name = choice.kind->name;
+    if (name != "photon" && name != "path") return;
+    for (MaterialSettings& material : scene.materials) {
+        if (material.kind != "dielectric" || !material.params.boolean("straight_shadows", false)) continue;
+        material.params.set("straight_shadows", ParamValue{.kind = ParamValue::Kind::boolean, .boolean = false});
+        choice.warnings.push_back(
+            fmt::format("{}: straight_shadows of \"{}\" has no effect with --lighting {}, which bends that light",
+                        material.params.where(), material.name, name));
+    }
 }
 
 std::unique_ptr<LightingModule> make_lighting(const LightingChoice& choice, std::uint32_t seed) {

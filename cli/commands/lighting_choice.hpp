@@ -18,6 +18,10 @@ struct LightingChoice {
 /// Throws Error(usage) with the nearest right name where there is no such module or option.
 LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, const Registry& registry);
 
+/// Takes `straight_shadows` from glass where the module follows bent light to what it falls on, or that light would
+/// count twice; says so in choice.warnings.
+void end_straight_shadows(Scene& scene, LightingChoice& choice);
+
 /// Makes the module; what it says against a value of --set is Error(usage).
 std::unique_ptr<LightingModule> make_lighting(const LightingChoice& choice, std::uint32_t seed);
 

@@ -28,6 +28,7 @@ void check_outputs(const ProbeOptions& options) {
             throw Error(ErrorCode::usage, fmt::format("{} has the points and would be overwritten", output));
         check_text_path(output);
     }
+    keep_scene(options.scene, options.save_map, "--save-map");
     if (!options.save_map.empty()) check_text_path(options.save_map);
 }
 
@@ -124,9 +125,10 @@ void warn_all(const std::vector<std::string>& warnings, Console& console) {
 int probe_scene(const ProbeOptions& options, Console& console) {
     const std::unique_ptr<Registry> registry = open_registry(options.scene.plugins);
     console.begin("read");
-    const Scene scene = read_scene(options.scene, *registry);
+    Scene scene = read_scene(options.scene, *registry);
     warn_all(scene.warnings, console);
-    const LightingChoice choice = choose_lighting(options, scene, *registry);
+    LightingChoice choice = choose_lighting(options, scene, *registry);
+    end_straight_shadows(scene, choice);
     warn_all(choice.warnings, console);
     const std::unique_ptr<LightingModule> module = make_lighting(choice, options.seed);
     // A wrong line late in the file must not come up after hours.

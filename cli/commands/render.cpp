@@ -33,9 +33,18 @@ private:
 /// Before any work: whatever is written at the end can be written.
 void check_outputs(const RenderOptions& options) {
     keep_scene(options.scene, options.output);
+    keep_scene(options.scene, options.stats, "--stats");
+    keep_scene(options.scene, options.save_map, "--save-map");
     check_image_path(options.output);
     if (!options.stats.empty()) check_text_path(options.stats);
     if (!options.save_map.empty()) check_text_path(options.save_map);
+}
+
+/// Pictures of the photons themselves need them, and they would be dropped once the cache stands.
+void keep_what_is_shown(const std::string& view, LightingChoice& choice) {
+    const bool shown = view == "photons" || view == "map" || view == "lookup";
+    if (!shown || choice.kind->name != std::string_view("photon") || choice.params.has("keep_map")) return;
+    choice.params.set("keep_map", ParamValue{.kind = ParamValue::Kind::boolean, .boolean = true});
 }
 
 /// csg::compile that also measures the model: its box without lamps and ground.
@@ -84,10 +93,12 @@ int render_scene(const RenderOptions& options, const std::string& command, Conso
     Stopwatch watch;
     const std::unique_ptr<Registry> registry = open_registry(options.scene.plugins);
     console.begin("read");
-    const Scene scene = read_scene(options.scene, *registry);
+    Scene scene = read_scene(options.scene, *registry);
     warn_all(scene.warnings, console);
     static_cast<void>(picture_size(options, scene));
-    const LightingChoice choice = choose_lighting(options, scene, *registry);
+    LightingChoice choice = choose_lighting(options, scene, *registry);
+    keep_what_is_shown(options.view, choice);
+    end_straight_shadows(scene, choice);
     warn_all(choice.warnings, console);
     const std::unique_ptr<LightingModule> module = make_lighting(choice, options.seed);
     watch.lap("read");

@@ -23,8 +23,10 @@ Json versions() {
 
 Json picture(const RenderReport& report) {
     const RenderSettings& s = report.settings;
-    return {{"file", report.options.output},        {"width", s.width}, {"height", s.height},
-            {"samples", report.statistics.samples}, {"seed", s.seed},   {"lighting", report.lighting.name}};
+    Json json{{"file", report.options.output},        {"width", s.width}, {"height", s.height},
+              {"samples", report.statistics.samples}, {"seed", s.seed},   {"lighting", report.lighting.name}};
+    if (s.noise > 0) json["noise"] = report.statistics.noise;
+    return json;
 }
 
 Json scene(const RenderReport& report) {

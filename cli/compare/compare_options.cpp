@@ -89,7 +89,7 @@ private:
     Json json_;
 };
 
-void add_options(Arguments& arguments, CompareOptions& options) {
+void add_options(Arguments& arguments, CompareOptions& options, std::vector<std::string>& regions) {
     arguments.positional("A", "Picture to be judged", options.a);
     arguments.positional("B", "Reference", options.b);
     arguments.group("Limits; without any the pictures must be the same");
@@ -103,8 +103,7 @@ void add_options(Arguments& arguments, CompareOptions& options) {
         "--tolerance", "T", "Relative difference from which on a pixel is beyond [0.001]",
         [&](const std::string& text) { options.settings.tolerance = to_number("--tolerance", text, 0, most); });
     arguments.group("What is compared");
-    arguments.value("--region", "NAME=x0,y0,x1,y1", "Figures of a part too; may be given again",
-                    [&](const std::string& text) { options.settings.regions.push_back(to_region(text)); });
+    arguments.list("--region", "NAME=x0,y0,x1,y1", "Figures of a part too; may be given again", regions);
     arguments.value("--grid", "N", "Figures of N x N parts too", [&](const std::string& text) {
         options.grid = static_cast<int>(to_integer("--grid", text, 1, 64));
     });
@@ -157,9 +156,11 @@ std::optional<CompareOptions> parse_compare_options(const std::vector<std::strin
     CompareOptions options;
     if (const std::string file = limits_file(words); !file.empty()) LimitsFile(file, options).read();
     Arguments arguments("compare A B [options]", "Tells by how much two pictures differ, and whether by too much.");
-    add_options(arguments, options);
+    std::vector<std::string> regions;
+    add_options(arguments, options, regions);
     arguments.text("--limits", "FILE", "Read limits and settings from a JSON file; options win", options.limits_file);
     if (!arguments.parse(words)) return std::nullopt;
+    for (const std::string& region : regions) options.settings.regions.push_back(to_region(region));
     return options;
 }
 

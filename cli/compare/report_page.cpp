@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include "cli/compare/figures_json.hpp"
 #include "cli/compare/report_template.hpp"
 #include "cli/compare/verdict.hpp"
+#include "rt_core/image/half.hpp"
 
 namespace cardioid::cli {
 namespace {
@@ -24,18 +24,6 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
         for (std::size_t k = 0; k < 4; ++k) text += k > bytes.size() - i ? '=' : letters[three >> (18 - 6 * k) & 63];
     }
     return text;
-}
-
-/// IEEE 754 binary16, rounded to nearest; what is too large is the largest there is.
-std::uint16_t to_half(float x) {
-    constexpr float largest = 65504, smallest_normal = 0x1p-14F;
-    if (!std::isfinite(x)) return std::isnan(x) ? 0x7E00 : x > 0 ? 0x7C00 : 0xFC00;
-    const std::uint16_t sign = std::signbit(x) ? 0x8000 : 0;
-    const float size = std::min(std::abs(x), largest);
-    if (size < smallest_normal) return static_cast<std::uint16_t>(sign | std::lround(size * 0x1p24F));
-    const auto bits = std::bit_cast<std::uint32_t>(size);
-    const std::uint32_t rounded = bits + 0xFFF + (bits >> 13 & 1);
-    return static_cast<std::uint16_t>(sign | ((rounded >> 13) - (112U << 10)));
 }
 
 std::string pixels(const Picture& picture) {

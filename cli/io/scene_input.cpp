@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <utility>
 
 #include "cli/options/values.hpp"
 #include "rt_core/api/error.hpp"
@@ -47,7 +48,9 @@ std::vector<std::string> readable_extensions(const Registry& registry) {
 }  // namespace
 
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& positional) {
-    arguments.positional(positional, "File to read; - is standard input", options.file);
+    arguments.positional(positional, "File to read; - is standard input. Behind it: objects of a database to draw",
+                         options.file);
+    arguments.more(options.objects);
     arguments.group("Reading the scene");
     arguments.value("--facets", "auto|openscad", "Round things are round (auto), or have OpenSCAD's facets",
                     [&](const std::string& text) {
@@ -70,10 +73,25 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
     arguments.list("--plugin", "FILE", "Load a plug-in; may be given again", options.plugins);
 }
 
-void keep_scene(const SceneOptions& options, const std::string& output) {
+void take_format_options(SceneOptions& options, std::vector<std::string>& settings, std::string* view) {
+    constexpr std::string_view prefix = "brlcad.";
+    std::erase_if(settings, [&](const std::string& setting) {
+        const std::size_t equals = setting.find('=');
+        if (!setting.starts_with(prefix) || equals == std::string::npos || equals < prefix.size()) return false;
+        options.settings.emplace_back(setting.substr(prefix.size(), equals - prefix.size()),
+                                      setting.substr(equals + 1));
+        return true;
+    });
+    std::error_code ignored;  // of a name that is no file
+    if (view && (*view == "-" || extension_of(*view) == ".rt" || std::filesystem::is_regular_file(*view, ignored)))
+        options.view_file = std::exchange(*view, {});
+}
+
+void keep_scene(const SceneOptions& options, const std::string& output, const char* option) {
     std::error_code ignored;  // of a file that is not there, so not the same
     if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(options.file, output, ignored))
-        throw Error(ErrorCode::usage, fmt::format("-o: {} is the scene itself and would be overwritten", output));
+        throw Error(ErrorCode::usage,
+                    fmt::format("{}: {} is the scene itself and would be overwritten", option, output));
 }
 
 std::string extension_of(const std::string& file) {
@@ -124,6 +142,19 @@ Scene read_scene(const SceneOptions& options, const std::string& text, const Reg
     read.openscad_facets = options.openscad_facets;
     read.smooth_from = options.smooth_from;
     read.show_background = options.show_background;
+    if (!options.objects.empty() && !format->has_objects)
+        throw Error(ErrorCode::usage, fmt::format("found \"{}\" after SCENE, wanted one only", options.objects[0]));
+    if (!options.view_file.empty() && !format->has_objects)
+        throw Error(ErrorCode::usage,
+                    fmt::format("--view: found file {}, wanted a view's name: only BRL-CAD databases are "
+                                "seen by scripts",
+                                options.view_file));
+    read.objects = options.objects;
+    if (format->has_objects) read.settings = options.settings;
+    if (!options.view_file.empty()) {
+        read.view_file = options.view_file == "-" ? "<stdin>" : options.view_file;
+        read.view_text = read_text(options.view_file);
+    }
     return format->read(text, name, read);
 }
 

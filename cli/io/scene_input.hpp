@@ -18,7 +18,14 @@ struct SceneOptions {
     bool unknown_is_warning = false;
     bool show_background = false;
     std::vector<std::string> plugins;
+    std::vector<std::string> objects;                           ///< named behind the file
+    std::vector<std::pair<std::string, std::string>> settings;  ///< of its format
+    std::string view_file;                                      ///< a view script
 };
+
+/// Takes `brlcad.option=value` out of the settings of lighting modules, and a view script out of --view: a file there
+/// is, in place of a view's name.
+void take_format_options(SceneOptions& options, std::vector<std::string>& settings, std::string* view);
 
 /// Adds SCENE under the name `positional` and the options of SceneOptions.
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& positional = "SCENE");
@@ -34,8 +41,8 @@ Scene read_scene(const SceneOptions& options, const Registry& registry);
 /// The same of a text that is already in memory.
 Scene read_scene(const SceneOptions& options, const std::string& text, const Registry& registry);
 
-/// Throws Error(usage) where `output` is the scene itself, which would be lost.
-void keep_scene(const SceneOptions& options, const std::string& output);
+/// Throws Error(usage) where `output`, what `option` names, is the scene itself, which would be lost.
+void keep_scene(const SceneOptions& options, const std::string& output, const char* option = "-o");
 
 /// Lower-case extension with its dot, "" without one.
 std::string extension_of(const std::string& file);

@@ -33,6 +33,7 @@ struct Arguments::App {
     CLI::App app;
     std::string heading = "Options";
     std::vector<std::string> positionals;
+    std::vector<std::string>* more = nullptr;
 
     /// Every "--name" and "-n" there is.
     [[nodiscard]] std::vector<std::string> names() const {
@@ -48,11 +49,16 @@ struct Arguments::App {
 
 /// Words that belong to no option.
 void Arguments::App::check_extras(const std::vector<std::string>& extras) const {
+    if (more) more->clear();
     for (const std::string& word : extras) {
         if (word == "--") continue;  // CLI11 keeps the end of the options among the rest
         if (word.size() > 1 && word[0] == '-') {
             const std::string name = word.substr(0, word.find('='));
             throw Error(ErrorCode::usage, fmt::format("there is no option {}{}", name, suggestion(name, names())));
+        }
+        if (more) {
+            more->push_back(word);
+            continue;
         }
         throw Error(ErrorCode::usage,
                     positionals.empty()
@@ -110,6 +116,8 @@ void Arguments::positional(const std::string& name, const std::string& help, std
     app_->positionals.push_back(name);
     app_->app.add_option(name, to, help)->option_text(" ")->group("Arguments");
 }
+
+void Arguments::more(std::vector<std::string>& to) { app_->more = &to; }
 
 void Arguments::examples(const std::string& text) { app_->app.footer(text); }
 

@@ -30,6 +30,8 @@ public:
     void optional_value(const std::string& names, const std::string& help, std::string& to);
     /// What must be given without a name.
     void positional(const std::string& name, const std::string& help, std::string& to);
+    /// Words behind the last positional one go there, in place of an error.
+    void more(std::vector<std::string>& to);
     /// Text after the options in the help.
     void examples(const std::string& text);
 

@@ -39,7 +39,9 @@ void add_picture_options(Arguments& a, RenderOptions& o) {
                 }
             });
     a.text("--view", "NAME",
-           fmt::format("Draw {} or a view of the lighting module instead", fmt::join(view_names(), ", ")), o.view);
+           fmt::format("Draw {} or a view of the lighting module instead; a FILE is a script of BRL-CAD's rt",
+                       fmt::join(view_names(), ", ")),
+           o.view);
     a.flag("--half", "OpenEXR in half precision", o.half);
 }
 
@@ -55,7 +57,7 @@ void add_quality_options(Arguments& a, RenderOptions& o) {
             [&](const std::string& text) { o.samples = static_cast<int>(to_integer("--spp", text, 1, most_samples)); });
     a.value("--time", "TIME", "Sample for so long: 30s, 2m, 1.5h",
             [&](const std::string& text) { o.time_s = to_seconds("--time", text); });
-    a.value("--noise", "SHARE", "Sample until the standard error is below: 2%", [&](const std::string& text) {
+    a.value("--noise", "SHARE", "Sample until the noise of the picture is below: 2%", [&](const std::string& text) {
         o.noise = to_share("--noise", text);
         // Hundreds of rays and several cache points average what a lookup scatters by.
         o.photon_error = std::clamp(5 * o.noise, 0.01, 0.3);
@@ -102,6 +104,8 @@ void check(const RenderOptions& o) {
     check_run_options(o);
     exclude(!o.view.empty(), !o.layers.empty(), "--view and --aov");
     if (!o.stats.empty() && o.stats == o.output) throw Error(ErrorCode::usage, "--stats and -o name the same file");
+    if (!o.save_map.empty() && (o.save_map == o.output || o.save_map == o.stats))
+        throw Error(ErrorCode::usage, "--save-map and -o or --stats name the same file");
     if (o.target && !o.eye) throw Error(ErrorCode::usage, "--target needs --eye");
 }
 
@@ -125,6 +129,7 @@ std::optional<RenderOptions> parse_render_options(const std::vector<std::string>
     add_report_options(arguments, options);
     arguments.examples(examples);
     if (!arguments.parse(words)) return std::nullopt;
+    take_format_options(options.scene, options.settings, &options.view);
     check(options);
     if (options.output.empty())
         options.output = options.scene.file == "-" ? "stdin.png"

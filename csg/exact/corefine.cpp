@@ -1,14 +1,14 @@
 #include "csg/exact/corefine.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-#include <queue>
+#include <algorithm>
+#include <limits>
 
+#include "csg/exact/counted_mesh.hpp"
 #include "csg/shapes/mesh_repair.hpp"
 
 namespace cardioid::csg {
@@ -16,8 +16,11 @@ namespace cardioid::csg {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = ExactKernel;
+using Mesh = CountedMesh;
+
+/// Far more steps than any corefinement has been seen to take: for each, and for each triangle.
+constexpr std::int64_t most_steps = 10'000'000, most_steps_a_triangle = 10'000;
 
 /// A part as CGAL wants it: every edge of two triangles, no triangle without area. False where it cannot be had.
 bool to_exact(const TriangleMesh& mesh, Mesh& out) {
@@ -58,6 +61,8 @@ bool apply(SolidOp op, Mesh& a, Mesh& b, Mesh& out) {
         if (op == SolidOp::unite) out += b;
         return true;
     }
+    const auto triangles = static_cast<std::int64_t>(a.number_of_faces() + b.number_of_faces());
+    steps_left = most_steps + most_steps_a_triangle * triangles;
     const auto quiet = CGAL::parameters::throw_on_self_intersection(true);
     if (op == SolidOp::unite) return pmp::corefine_and_compute_union(a, b, out, quiet);
     if (op == SolidOp::intersect) return pmp::corefine_and_compute_intersection(a, b, out, quiet);
@@ -112,11 +117,13 @@ bool combine(SolidOp op, std::vector<Mesh> parts, Mesh& out) {
 }  // namespace
 
 std::optional<TriangleMesh> corefine(SolidOp op, const std::vector<TriangleMesh>& parts) try {
+    steps_left = std::numeric_limits<std::int64_t>::max();
     std::vector<Mesh> exact(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (!to_exact(parts[i], exact[i])) return std::nullopt;
     Mesh result;
     if (exact.empty() || !combine(op, std::move(exact), result)) return std::nullopt;
+    steps_left = std::numeric_limits<std::int64_t>::max();
     result.collect_garbage();
     return to_double(result);
 } catch (const std::exception&) {  // a surface that runs through itself; CGAL's own checks

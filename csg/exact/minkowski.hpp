@@ -7,7 +7,8 @@ namespace cardioid::csg {
 inline constexpr double most_minkowski_points = 5e7;
 
 /// The Minkowski sum of solids as meshes whose union it is, each convex. Solids that are no union of convex parts are
-/// cut into such by CGAL. Throws Error(limit) where more than `most_minkowski_points` sums of corners would be needed.
+/// cut into such by CGAL; solids that are empty are left out, as in OpenSCAD. Throws Error(limit) where more than
+/// `most_minkowski_points` sums of corners would be needed.
 std::vector<TriangleMesh> minkowski(const SolidTree& tree, const std::vector<std::uint32_t>& nodes, double tolerance);
 
 }  // namespace cardioid::csg

@@ -1,11 +1,14 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 #include <CGAL/convex_decomposition_3.h>
-#include <set>
+#include <algorithm>
 
 #include "csg/exact/hull.hpp"
 #include "csg/exact/mesh_boolean.hpp"
@@ -25,6 +28,28 @@ using Nef = CGAL::Nef_polyhedron_3<Kernel>;
     throw Error(ErrorCode::bad_input, std::string("a boolean of meshes failed: ") + why);
 }
 
+/// A Nef polyhedron fills all that its surface closes off from the outside, so cavities are cut out of it: shells from
+/// the greatest to the least, that a part within a cavity is there again.
+Nef of_shells(Polyhedron& polyhedron) {
+    std::vector<Polyhedron> shells;
+    pmp::split_connected_components(polyhedron, shells);
+    std::vector<std::pair<Kernel::FT, std::size_t>> volumes;
+    for (std::size_t i = 0; i < shells.size(); ++i) volumes.emplace_back(pmp::volume(shells[i]), i);
+    if (std::ranges::all_of(volumes, [](const auto& v) { return v.first > 0; })) return Nef(polyhedron);
+    std::ranges::sort(volumes, [](const auto& a, const auto& b) { return CGAL::abs(a.first) > CGAL::abs(b.first); });
+    Nef out(Nef::EMPTY);
+    for (const auto& [volume, i] : volumes) {
+        const bool solid = volume > 0;
+        if (!solid) pmp::reverse_face_orientations(shells[i]);
+        const Nef shell(shells[i]);
+        if (solid)
+            out += shell;
+        else
+            out -= shell;
+    }
+    return out;
+}
+
 /// Triangles without area go: a Nef polyhedron has planes.
 Nef to_nef(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return Nef(Nef::EMPTY);
@@ -38,7 +63,7 @@ Nef to_nef(const TriangleMesh& mesh) {
     Polyhedron polyhedron;
     pmp::polygon_soup_to_polygon_mesh(points, faces, polyhedron);
     if (!polyhedron.is_closed()) refuse("a mesh is not closed");
-    return Nef(polyhedron);
+    return of_shells(polyhedron);
 }
 
 TriangleMesh to_mesh(const Nef& nef) {

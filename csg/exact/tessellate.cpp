@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/exact/form_mesh.hpp"
 #include "csg/exact/walk.hpp"
 #include "csg/shapes/degrees.hpp"
 #include "csg/shapes/extrude.hpp"
@@ -77,23 +78,32 @@ double stretch(const Affine& m) {
     return std::sqrt(squares);
 }
 
+/// The same of unit vectors across the axis: equal radii get equal corners whatever the heights.
+double stretch_across(const Affine& m) {
+    return std::sqrt(std::max(dot(m.column(0), m.column(0)), dot(m.column(1), m.column(1))));
+}
+
 TriangleMesh in_own_space(const SolidTree& tree, const Leaf& leaf, double tolerance) {
-    const double scale = stretch(leaf.to_world);
+    const double scale = stretch(leaf.to_world), across = stretch_across(leaf.to_world);
     switch (leaf.kind) {
         case LeafKind::box:
             return unit_box();
         case LeafKind::sphere:
             return unit_ball(fine_corners(scale, tolerance / 2));  // two chords cross: each may miss half of it
         case LeafKind::cone:
-            return faceted_cone(1, leaf.a, leaf.b, fine_corners(std::max(leaf.a, leaf.b) * scale, tolerance));
+            return faceted_cone(1, leaf.a, leaf.b, fine_corners(std::max(leaf.a, leaf.b) * across, tolerance));
         case LeafKind::torus:
             return ring_of_tube(leaf.a, leaf.b, tolerance / 2, scale);
         case LeafKind::prism:
             return linear_extrude(*tree.profiles[leaf.data], {.height = 1, .scale = {leaf.a, leaf.a}});
         case LeafKind::revolution: {
             const Profile& profile = *tree.profiles[leaf.data];
-            const int n = fine_corners(greatest_radius(profile) * scale, tolerance);
+            const int n = fine_corners(greatest_radius(profile) * across, tolerance);
             return rotate_extrude(profile, 360, {.fn = double(n)});
+        }
+        case LeafKind::form: {
+            const int n = fine_corners(2 * scale, tolerance / 2);
+            return form_mesh(tree.forms[leaf.data], n, unit_ball(n));
         }
         case LeafKind::mesh:
             return *tree.meshes[leaf.data];

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/leaves/convex_planes.hpp"
+#include "csg/leaves/forms.hpp"
 #include "csg/leaves/mesh_shape.hpp"
 #include "csg/leaves/solvers.hpp"
 
 namespace cardioid::csg {
 namespace {
 
-/// Prisms with more corners than this are walked edge by edge rather than as planes.
+/// Prisms and meshes with more faces than this are not met as planes.
 constexpr std::size_t most_planes = 64;
 
 void append(const Span& span, std::uint32_t index, EventList& out) {
@@ -52,6 +54,8 @@ Vec3d local_normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
             return prism_normal(leaf, face);
         case Solver::revolution:
             return revolution_normal(leaf, face, p);
+        case Solver::form:
+            return form_normal(leaf.shape->form, face, p);
         case Solver::mesh:
             return leaf.shape->mesh->normal(face);
         case Solver::ball:
@@ -92,6 +96,8 @@ Solver general_solver(LeafKind kind) {
             return Solver::prism;
         case LeafKind::revolution:
             return Solver::revolution;
+        case LeafKind::form:
+            return Solver::form;
         case LeafKind::mesh:
             break;
     }
@@ -125,6 +131,8 @@ Box3d local_bounds(const SolidTree& tree, const Leaf& leaf) {
                 }
             return box;
         }
+        case LeafKind::form:
+            return form_box(tree.forms[leaf.data]);
         case LeafKind::mesh:
             break;
     }
@@ -188,6 +196,8 @@ void append_events(const SolvedLeaf& leaf, std::uint32_t index, Vec3d o, Vec3d d
             return append_prism(leaf, index, lo, ld, out);
         case Solver::revolution:
             return append_revolution(leaf, index, lo, ld, out);
+        case Solver::form:
+            return append_form(leaf.shape->form, index, lo, ld, out);
         default:
             return leaf.shape->mesh->append_events(index, lo, ld, out);
     }
@@ -200,7 +210,11 @@ Vec3d turned_normal(const SolvedLeaf& leaf, std::uint32_t face, Vec3d p) {
 }
 
 ShapeMaker::ShapeMaker(const SolidTree& tree)
-    : tree_(tree), prisms_(tree.profiles.size()), revolutions_(tree.profiles.size()), meshes_(tree.meshes.size()) {}
+    : tree_(tree),
+      prisms_(tree.profiles.size()),
+      revolutions_(tree.profiles.size()),
+      meshes_(tree.meshes.size()),
+      forms_(tree.forms.size()) {}
 
 std::shared_ptr<const Shape> ShapeMaker::shape_of(const Leaf& leaf) {
     const auto kept = [](std::shared_ptr<const Shape>& place, auto make) {
@@ -210,8 +224,12 @@ std::shared_ptr<const Shape> ShapeMaker::shape_of(const Leaf& leaf) {
     switch (leaf.kind) {
         case LeafKind::mesh:
             return kept(meshes_[leaf.data], [&] {
+                std::vector<Plane> planes = convex_planes(*tree_.meshes[leaf.data], most_planes);
+                if (!planes.empty()) return Shape{nullptr, std::move(planes), nullptr};
                 return Shape{nullptr, {}, std::make_shared<const MeshShape>(tree_.meshes[leaf.data])};
             });
+        case LeafKind::form:
+            return kept(forms_[leaf.data], [&] { return Shape{nullptr, {}, nullptr, tree_.forms[leaf.data]}; });
         case LeafKind::revolution:
             return kept(revolutions_[leaf.data], [&] { return Shape{tree_.profiles[leaf.data], {}, nullptr}; });
         case LeafKind::prism: {

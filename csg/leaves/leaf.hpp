@@ -34,6 +34,7 @@ enum class Solver : std::uint8_t {
     torus,
     prism,
     revolution,
+    form,
     mesh
 };
 constexpr bool is_convex(Solver solver) { return solver <= Solver::convex; }
@@ -49,6 +50,7 @@ struct Shape {
     std::shared_ptr<const Profile> profile;
     std::vector<Plane> planes;
     std::shared_ptr<const MeshShape> mesh;
+    Form form{};
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 };
 
@@ -95,7 +97,7 @@ public:
 
 private:
     const SolidTree& tree_;
-    std::vector<std::shared_ptr<const Shape>> prisms_, revolutions_, meshes_;
+    std::vector<std::shared_ptr<const Shape>> prisms_, revolutions_, meshes_, forms_;
 };
 
 /// Box around a leaf in the world; infinite for a half space.

@@ -45,6 +45,7 @@ void prune(SolidTree& old) {
             Leaf leaf = old.leaves[node.first];
             if (leaf.kind == LeafKind::prism || leaf.kind == LeafKind::revolution)
                 leaf.data = move_over(leaf.data, profile_at, old.profiles, out.profiles);
+            if (leaf.kind == LeafKind::form) leaf.data = out.add_form(old.forms[leaf.data]);
             if (leaf.kind == LeafKind::mesh) leaf.data = move_over(leaf.data, mesh_at, old.meshes, out.meshes);
             node_at[i] = out.add_leaf(leaf);
             continue;

@@ -2,12 +2,16 @@
 
 #include <unordered_set>
 
+#include "csg/exact/tessellate.hpp"
 #include "formats/openscad/evaluate/materials.hpp"
 #include "formats/openscad/syntax/ast.hpp"
 #include "formats/openscad/syntax/printer.hpp"
 
 namespace cardioid::formats::openscad {
 namespace {
+
+/// Shapes that the language has no word for are written in chords; in their own space they are about 2 across.
+constexpr double chord_share = 1e-3;
 
 class SceneWriter {
 public:
@@ -194,6 +198,11 @@ private:
             case LeafKind::mesh:
                 polyhedron(*scene_.solids.meshes[leaf.data]);
                 break;
+            case LeafKind::form: {
+                const Leaf own{.kind = leaf.kind, .data = leaf.data};
+                polyhedron(csg::tessellate(scene_.solids, own, chord_share));
+                break;
+            }
         }
     }
 

@@ -12,71 +12,104 @@ constexpr std::size_t few = 8;
 /// A place that no ball reaches.
 constexpr float nowhere = 1e30F;
 
-bool touches(const Reach& reach, Vec3 lo, float size) {
-    const Vec3 hi = lo + Vec3{size, size, size};
-    const Vec3 nearest = max(lo, min(hi, reach.p));
-    const Vec3 d = reach.p - nearest;
-    return dot(d, d) < reach.radius * reach.radius;
+/// Of the eight halves of a cube from lo to hi, as bits, those that the ball touches.
+unsigned touched_parts(const Reach& ball, Vec3 lo, Vec3 middle, Vec3 hi) {
+    const auto square = [](float x) { return x * x; };
+    float d2[3][2];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float p = ball.p[axis];
+        d2[axis][0] = square(std::max({lo[axis] - p, p - middle[axis], 0.0F}));
+        d2[axis][1] = square(std::max({middle[axis] - p, p - hi[axis], 0.0F}));
+    }
+    const float r2 = square(ball.radius);
+    unsigned parts = 0;
+    for (unsigned part = 0; part < 8; ++part) {
+        const float distance2 = d2[0][part & 1] + d2[1][part >> 1 & 1] + d2[2][part >> 2];
+        parts |= static_cast<unsigned>(distance2 < r2) << part;
+    }
+    return parts;
 }
 
 }  // namespace
 
-CacheIndex::CacheIndex(std::span<const Reach> reaches) {
+class CacheIndex::Builder {
+public:
+    Builder(CacheIndex& index, std::span<const Reach> reaches) : index_(index), reaches_(reaches) {}
+
+    void build() {
+        members_.resize(reaches_.size());
+        for (std::size_t i = 0; i < members_.size(); ++i) members_[i] = static_cast<std::uint32_t>(i);
+        split(0, index_.root_, 0, 0);
+    }
+
+private:
+    /// Makes a node of the members from `begin` on, which stand at the end of the list.
+    void split(std::size_t node, const Cell& cell, std::size_t begin, int depth) {
+        const std::size_t end = members_.size();
+        float radii = 0;
+        for (std::size_t i = begin; i < end; ++i) radii += reaches_[members_[i]].radius;
+        const std::size_t count = end - begin;
+        // Cells much smaller than what they hold only multiply the copies.
+        if (count <= few || depth == deepest || cell.size * static_cast<float>(count) < radii) return fill(node, begin);
+        const std::size_t first = index_.nodes_.size();
+        index_.nodes_[node].first = static_cast<std::uint32_t>(first);
+        index_.nodes_.resize(first + 8);
+        const float half = cell.size / 2;
+        const Vec3 middle = cell.lo + Vec3{half, half, half}, hi = middle + Vec3{half, half, half};
+        parts_.resize(end);
+        for (std::size_t i = begin; i < end; ++i)
+            parts_[i] = static_cast<std::uint8_t>(touched_parts(reaches_[members_[i]], cell.lo, middle, hi));
+        for (unsigned part = 0; part < 8; ++part) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (parts_[i] >> part & 1) members_.push_back(members_[i]);
+            const Vec3 corner{part & 1 ? half : 0, part & 2 ? half : 0, part & 4 ? half : 0};
+            split(first + part, {cell.lo + corner, half}, end, depth + 1);
+            members_.resize(end);
+        }
+    }
+
+    void fill(std::size_t node, std::size_t begin) {
+        constexpr auto lanes = static_cast<std::size_t>(BallGroup::lanes);
+        const std::size_t end = members_.size();
+        index_.nodes_[node].first = static_cast<std::uint32_t>(index_.groups_.size());
+        index_.nodes_[node].groups = static_cast<std::uint32_t>((end - begin + lanes - 1) / lanes);
+        for (; begin < end; begin += lanes) {
+            BallGroup& group = index_.groups_.emplace_back();
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                group.x[lane] = nowhere;
+                group.per_radius[lane] = 1;
+                if (begin + lane >= end) continue;
+                const Reach& reach = reaches_[members_[begin + lane]];
+                group.x[lane] = reach.p.x, group.y[lane] = reach.p.y, group.z[lane] = reach.p.z;
+                group.nx[lane] = reach.n.x, group.ny[lane] = reach.n.y, group.nz[lane] = reach.n.z;
+                group.per_radius[lane] = 1 / reach.radius;
+                group.index[lane] = members_[begin + lane];
+            }
+        }
+    }
+
+    CacheIndex& index_;
+    std::span<const Reach> reaches_;
+    std::vector<std::uint32_t> members_;  ///< of the node in work and of those above it
+    std::vector<std::uint8_t> parts_;     ///< of each member, what it touches of its node
+};
+
+void CacheIndex::rebuild(std::span<const Reach> reaches) {
+    nodes_.clear();
+    groups_.clear();
     if (reaches.empty()) return;
     Vec3 lo = reaches[0].p, hi = lo;
-    std::vector<std::uint32_t> all(reaches.size());
-    for (std::size_t i = 0; i < reaches.size(); ++i) {
-        const Vec3 r{reaches[i].radius, reaches[i].radius, reaches[i].radius};
-        lo = min(lo, reaches[i].p - r);
-        hi = max(hi, reaches[i].p + r);
-        all[i] = static_cast<std::uint32_t>(i);
+    for (const Reach& reach : reaches) {
+        const Vec3 r{reach.radius, reach.radius, reach.radius};
+        lo = min(lo, reach.p - r);
+        hi = max(hi, reach.p + r);
     }
     // A little larger, so that rounding leaves no place outside.
     const float size = max_component(hi - lo) * (1 + 1e-5F);
     root_ = {lo, size};
     per_cell_ = static_cast<float>(1 << deepest) / size;
     nodes_.emplace_back();
-    split(0, root_, std::move(all), 0, reaches);
-}
-
-void CacheIndex::split(std::size_t node, const Cell& cell, std::vector<std::uint32_t> members, int depth,
-                       std::span<const Reach> reaches) {
-    float radii = 0;
-    for (const std::uint32_t i : members) radii += reaches[i].radius;
-    // Cells much smaller than what they hold only multiply the copies.
-    if (members.size() <= few || depth == deepest || cell.size * static_cast<float>(members.size()) < radii)
-        return fill(node, members, reaches);
-    const std::size_t first = nodes_.size();
-    nodes_[node].first = static_cast<std::uint32_t>(first);
-    nodes_.resize(first + 8);
-    const float half = cell.size / 2;
-    for (std::size_t child = 0; child < 8; ++child) {
-        const Vec3 corner{child & 1 ? half : 0, child & 2 ? half : 0, child & 4 ? half : 0};
-        const Cell part{cell.lo + corner, half};
-        std::vector<std::uint32_t> inside;
-        for (const std::uint32_t i : members)
-            if (touches(reaches[i], part.lo, half)) inside.push_back(i);
-        split(first + child, part, std::move(inside), depth + 1, reaches);
-    }
-}
-
-void CacheIndex::fill(std::size_t node, const std::vector<std::uint32_t>& members, std::span<const Reach> reaches) {
-    nodes_[node].first = static_cast<std::uint32_t>(groups_.size());
-    nodes_[node].groups = static_cast<std::uint32_t>((members.size() + lanes - 1) / lanes);
-    for (std::size_t begin = 0; begin < members.size(); begin += lanes) {
-        Group group{};
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            group.x[lane] = nowhere;
-            group.per_radius[lane] = 1;
-            if (begin + lane >= members.size()) continue;
-            const Reach& reach = reaches[members[begin + lane]];
-            group.x[lane] = reach.p.x, group.y[lane] = reach.p.y, group.z[lane] = reach.p.z;
-            group.nx[lane] = reach.n.x, group.ny[lane] = reach.n.y, group.nz[lane] = reach.n.z;
-            group.per_radius[lane] = 1 / reach.radius;
-            group.index[lane] = members[begin + lane];
-        }
-        groups_.push_back(group);
-    }
+    Builder(*this, reaches).build();
 }
 
 const CacheIndex::Node* CacheIndex::leaf(Vec3 p) const noexcept {

@@ -1,9 +1,9 @@
 #pragma once
-#include <cstdint>
+#include <bit>
 #include <span>
 #include <vector>
 
-#include "rt_core/api/math.hpp"
+#include "photon/cache/ball_group.hpp"
 
 namespace cardioid::photon {
 
@@ -19,8 +19,10 @@ struct Reach {
 class CacheIndex {
 public:
     CacheIndex() = default;
-    /// O(n log n).
-    explicit CacheIndex(std::span<const Reach> reaches);
+    explicit CacheIndex(std::span<const Reach> reaches) { rebuild(reaches); }
+
+    /// Forgets what it had; O(n log n). Memory is used again.
+    void rebuild(std::span<const Reach> reaches);
 
     /// Calls visit(i, t) for every ball i that p, n is within, in the order of the leaf. t in [0, 1) is
     /// |p - p_i| / radius_i + sqrt(1 - n.n_i) / `turn`: equation 6 of ARL-TR-3608 as a share of what is allowed.
@@ -29,13 +31,11 @@ public:
     void around(Vec3 p, Vec3 n, float turn, Visit&& visit) const noexcept;
 
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return nodes_.capacity() * sizeof(Node) + groups_.capacity() * sizeof(Group);
+        return nodes_.capacity() * sizeof(Node) + groups_.capacity() * sizeof(BallGroup);
     }
 
 private:
-    static constexpr int lanes = 8, deepest = 16;
-    /// Height over its plane that a ball is of use for, as a share of its radius.
-    static constexpr float flatness = 0.1F;
+    static constexpr int deepest = 16;
 
     struct Node {
         std::uint32_t first = 0;  ///< child, or group
@@ -43,43 +43,32 @@ private:
         static constexpr std::uint32_t inner = 0xFFFFFFFFU;
         [[nodiscard]] bool is_leaf() const { return groups != inner; }
     };
-    struct alignas(32) Group {
-        float x[lanes], y[lanes], z[lanes], nx[lanes], ny[lanes], nz[lanes], per_radius[lanes];
-        std::uint32_t index[lanes];
-    };
     struct Cell {
         Vec3 lo;
         float size;
     };
+    class Builder;
 
-    void split(std::size_t node, const Cell& cell, std::vector<std::uint32_t> members, int depth,
-               std::span<const Reach> reaches);
-    void fill(std::size_t node, const std::vector<std::uint32_t>& members, std::span<const Reach> reaches);
     [[nodiscard]] const Node* leaf(Vec3 p) const noexcept;
 
     std::vector<Node> nodes_;
-    std::vector<Group> groups_;
+    std::vector<BallGroup> groups_;
     Cell root_{};
     float per_cell_ = 0;  ///< smallest cells a unit of length
+    ScanBalls scan_ = quickest_scan_balls();
 };
 
 template <class Visit>
 void CacheIndex::around(Vec3 p, Vec3 n, float turn, Visit&& visit) const noexcept {
     const Node* node = leaf(p);
     if (!node) return;
-    const float per_turn = 1 / turn;
-    for (const Group *g = groups_.data() + node->first, *end = g + node->groups; g != end; ++g) {
-        float t[lanes], off[lanes];
-        for (int i = 0; i < lanes; ++i) {
-            const float x = p.x - g->x[i], y = p.y - g->y[i], z = p.z - g->z[i];
-            const float cosine = n.x * g->nx[i] + n.y * g->ny[i] + n.z * g->nz[i];
-            const float distance = std::sqrt(x * x + y * y + z * z) * g->per_radius[i];
-            t[i] = distance + std::sqrt(std::max(0.0F, 1 - cosine)) * per_turn;
-            const float height = x * (n.x + g->nx[i]) + y * (n.y + g->ny[i]) + z * (n.z + g->nz[i]);
-            off[i] = std::abs(height) * g->per_radius[i];
+    const BallQuery query{p, n, 1 / turn};
+    for (const BallGroup *g = groups_.data() + node->first, *end = g + node->groups; g != end; ++g) {
+        float t[BallGroup::lanes];
+        for (unsigned within = scan_(*g, query, t); within != 0; within &= within - 1) {
+            const int i = std::countr_zero(within);
+            visit(g->index[i], t[i]);
         }
-        for (int i = 0; i < lanes; ++i)
-            if (t[i] < 1 && off[i] < 2 * flatness) visit(g->index[i], t[i]);
     }
 }
 

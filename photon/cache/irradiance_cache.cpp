@@ -40,24 +40,20 @@ void IrradianceCache::add(std::vector<CacheRecord> records) {
         const float own = reach(record);
         clamp_neighbours(record);
         neighbours_.add(record.p, own);
+        guesses_.emplace_back(record);
         records_.push_back(std::move(record));
     }
     std::vector<Reach> reaches;
     reaches.reserve(records_.size());
     for (const CacheRecord& record : records_) reaches.push_back({record.p, record.n, reach(record)});
-    index_ = CacheIndex(reaches);
+    index_.rebuild(reaches);
 }
 
 std::optional<Rgb> IrradianceCache::irradiance(Vec3d p, Vec3 n) const noexcept {
-    Rgb sum;
-    float weights = 0;
-    around(p, n, [&](std::uint32_t i, Vec3 step, float t) {
-        const float w = weight(t);
-        sum += records_[i].guess(step, n) * w;
-        weights += w;
-    });
-    if (!(weights > 0)) return std::nullopt;
-    return sum * (1 / weights);
+    GuessSum sum;
+    around(p, n, [&](std::uint32_t i, Vec3 step, float t) { sum.add(guesses_[i], step, n, weight(t)); });
+    if (!(sum.weights() > 0)) return std::nullopt;
+    return sum.mean();
 }
 
 bool IrradianceCache::lacks(Vec3d p, Vec3 n) const noexcept {

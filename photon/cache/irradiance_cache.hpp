@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "photon/cache/cache_guess.hpp"
 #include "photon/cache/cache_index.hpp"
 #include "photon/cache/cache_record.hpp"
 #include "photon/cache/neighbour_tree.hpp"
@@ -39,10 +40,9 @@ public:
     void around(Vec3d p, Vec3 n, Visit&& visit) const noexcept {
         const Vec3 q(p - origin_);
         index_.around(q, n, rules_.turn, [&](std::uint32_t i, float t) {
-            const CacheRecord& record = records_[i];
-            const Vec3 step = q - record.p;
-            const float near = record.occluders.nearest();
-            if (dot(step, step) > near * near && !record.occluders.free(Frame(record.n).to_local(step))) return;
+            const CacheGuess& guess = guesses_[i];
+            const Vec3 step = q - guess.p;
+            if (dot(step, step) > guess.free2 && !is_free(i, step)) return;
             visit(i, step, t);
         });
     }
@@ -55,15 +55,21 @@ public:
         return std::clamp(rules_.reach * record.distance, record.least, record.most);
     }
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return index_.memory_bytes() + records_.capacity() * sizeof(CacheRecord);
+        return index_.memory_bytes() + records_.capacity() * sizeof(CacheRecord) +
+               guesses_.capacity() * sizeof(CacheGuess);
     }
 
 private:
     void clamp_neighbours(CacheRecord& record);
+    /// Whether nothing stands between the record's place and the one a step away.
+    [[nodiscard]] bool is_free(std::uint32_t i, Vec3 step) const noexcept {
+        return records_[i].occluders.free(Frame(records_[i].n).to_local(step));
+    }
 
     CacheRules rules_;
     Vec3d origin_;
     std::vector<CacheRecord> records_;
+    std::vector<CacheGuess> guesses_;  ///< of each record what every lookup reads
     NeighbourTree neighbours_;
     CacheIndex index_;
 };

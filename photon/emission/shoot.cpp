@@ -18,11 +18,11 @@ struct Chunk {
     Ledger ledger;
 };
 
-/// The power of two nearest to a photon's mean flux, so that encoded fluxes lie about 1.
+/// A photon's mean flux: that of a white light is encoded without an error, which all photons would share.
 float flux_scale(Rgb power, std::uint64_t count) {
     const double mean = double{max_component(power)} / static_cast<double>(std::max<std::uint64_t>(count, 1));
-    if (!std::isfinite(mean) || !(mean > 0)) return 1;
-    return std::ldexp(1.0F, std::clamp(static_cast<int>(std::lround(std::log2(mean))), -100, 100));
+    constexpr double least = 1e-30, most = 1e30;  // where floats and their inverse have all their digits
+    return mean > 0 && std::isfinite(mean) ? static_cast<float>(std::clamp(mean, least, most)) : 1;
 }
 
 /// Emits the photons [first, last) of the list.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace cardioid::photon {
@@ -71,6 +72,8 @@ FileHeader read_header(std::istream& file, const std::string& path) {
 }  // namespace
 
 MapReader::MapReader(const std::string& path) : path_(path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) errno = EISDIR, unreadable(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) unreadable(path);
     file.seekg(0, std::ios::end);

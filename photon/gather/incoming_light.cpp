@@ -78,10 +78,9 @@ Rgb IncomingLight::diffuse(const SurfacePoint& point, const Bsdf& bsdf, const Wa
         return parts_.map ? albedo * parts_.map->irradiance(point, ng, parts_.lookup, &world_).E * inv_pi : Rgb{};
     if (parts_.always_near && walk.near == 0) return diffuse_nearby(point, albedo, walk, sampler);
     const RadiancePayload* known = parts_.radiance->nearest(point, ng);
-    if (!known) return {};
-    if (walk.near < most_near && walk.distance < double{parts_.near * known->blur})
-        return diffuse_nearby(point, albedo, walk, sampler);
-    return albedo * known->E * inv_pi;
+    const bool too_near = known && walk.distance < double{parts_.near * known->blur};
+    if (walk.near < most_near && (!known || too_near)) return diffuse_nearby(point, albedo, walk, sampler);
+    return known ? albedo * known->E * inv_pi : Rgb{};
 }
 
 /// The same without a look at the radiance photons of this place: light from lamps, caustics, and one more ray.
@@ -115,7 +114,9 @@ Rgb IncomingLight::irradiance(const SurfacePoint& point, Vec3 n, int rays, Sampl
     Rgb sum;
     for (int i = 0; i < rays; ++i) {
         const Vec3 wi = frame.to_world(sample_cosine_hemisphere(sampler.next2()));
-        if ((dot(wi, point.ng) > 0) == outside) sum += along(point, wi, sampler).L;
+        if ((dot(wi, point.ng) > 0) != outside) continue;
+        const Rgb L = along(point, wi, sampler).L;
+        if (is_finite(L)) sum += L;  // as in a final gather: one broken material does not spoil what it faces
     }
     return sum * (pi / static_cast<float>(rays));
 }

@@ -13,18 +13,20 @@ struct RadiancePhoton {
     std::uint32_t region;  ///< FaceId::region
     Rgb E;                 ///< W/unit^2
     float blur;            ///< radius of the disc that it was estimated over, scene units
+    float reach;           ///< how far off it may be read: what lies beyond is another room for all it knows
 };
 
 struct RadiancePayload {
     Rgb E;
-    float blur;
+    float blur, reach;
 };
-inline RadiancePayload payload_of(const RadiancePhoton& photon) { return {photon.E, photon.blur}; }
+inline RadiancePayload payload_of(const RadiancePhoton& photon) { return {photon.E, photon.blur, photon.reach}; }
 
 /// How radiance photons are made.
 struct RadianceRule {
     std::uint32_t seed = 0;
     std::uint32_t every = 4;        ///< n
+    float share = 1;                ///< places for each photon of the map: tells how many photons a lookup may expect
     std::uint32_t light_rays = 16;  ///< calls of World::direct a photon; light straight from lamps is not looked up
     LookupRule lookup;              ///< of other light
     const PhotonMap* caustics = nullptr;  ///< where caustics are looked up if not in that map
@@ -33,8 +35,8 @@ struct RadianceRule {
 
 /// Places at every n-th photon with the irradiance of all light there, by `map`, which has no photons straight from
 /// lamps. `places` and `map` must be shot independently: estimates at a map's own photons are too bright by the photon
-/// itself, and without it too dark, for photons that stand alone are the nearest to more places. Stops early when
-/// interrupted.
+/// itself, and without it too dark, for photons that stand alone are the nearest to more places. Left out are those
+/// where places stand so far apart that a lookup would be of less than some 16 photons. Stops early when interrupted.
 [[nodiscard]] std::vector<RadiancePhoton> make_radiance_photons(const World& world, const Shot& places,
                                                                 const PhotonMap& map, const RadianceRule& rule,
                                                                 Progress& progress);
@@ -46,9 +48,10 @@ public:
     RadianceMap() = default;
     RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin) : tree_(std::move(photons)), origin_(origin) {}
 
-    /// The nearest place on the same side of the same solid, null where there is none.
+    /// The nearest place on the same side of the same solid, null where there is none or it does not reach so far.
     [[nodiscard]] const RadiancePayload* nearest(const SurfacePoint& point, Vec3 ng) const noexcept;
-    /// The mean of the nearest places, as many as that, whose normals are within 60 degrees (ARL-TR-3608, section 7);
+    /// The mean of the nearest places, as many as that, whose normals are within 60 degrees (ARL-TR-3608, section 7),
+    /// black those that do not reach so far;
     /// `edges`: divided by the share of places near by that passed that test (note [8]).
     [[nodiscard]] Rgb mean(const SurfacePoint& point, Vec3 ng, std::uint32_t nearest, bool edges) const noexcept;
 

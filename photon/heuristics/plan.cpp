@@ -11,7 +11,7 @@ namespace cardioid::photon {
 
 namespace {
 
-constexpr std::uint64_t pilot_count = 4096, caustic_pilot_count = 1 << 14, aim_paths = 1 << 17;
+constexpr std::uint64_t pilot_count = 4096, largest_pilot = 1 << 18, caustic_pilot_count = 1 << 14, aim_paths = 1 << 17;
 /// Photons of a lookup that feeds a final gather: its hundreds of rays average the noise away.
 constexpr std::uint32_t gather_k = 50;
 /// Largest radius of lookups as a share of the picture's width, and of those that a gather averages.
@@ -115,20 +115,32 @@ private:
         plan_.caustic_share = all > 0 ? (bright.r + bright.g + bright.b) / all : 0;
         note("stored_per_emitted", fmt::format("{:.3g}", plan_.stored_per_emitted),
              fmt::format("pilot of {} photons", pilot.emitted));
-        plan_.count = bounded("count", options_.count.has_value(), wanted(pilot, emitted), plan_.stored_per_emitted);
+        plan_.count = bounded("count", options_.count.has_value(), wanted(pilot), plan_.stored_per_emitted);
     }
 
-    [[nodiscard]] double wanted(const Shot& pilot, double emitted) {
+    /// Photons per square unit and photon emitted that three quarters of the places have. Flies larger pilots where
+    /// this one left too few photons at so many; what is dark to the largest is not counted.
+    [[nodiscard]] double density_at_most(const Shot& pilot) const {
+        const PhotonMap map(pilot.photons, pilot.origin, pilot.flux_scale);
+        std::vector<double> found = densities(map, sights_.empty() ? places_of(pilot) : sights_);
+        double density = density_of_most(found, places_satisfied);
+        if (density == 0 && pilot.emitted > 0 && pilot.emitted < largest_pilot && !progress_.interrupted())
+            return density_at_most(fly(Pass::pilot, Keep::everything, pilot.emitted * 8));
+        if (density == 0) {
+            std::erase(found, 0.0);
+            density = density_of_most(std::move(found), places_satisfied);
+        }
+        return density / static_cast<double>(std::max<std::uint64_t>(pilot.emitted, 1));
+    }
+
+    [[nodiscard]] double wanted(const Shot& pilot) {
         if (options_.count) return static_cast<double>(*options_.count);
         if (options_.count_by_faces) {
             note("count", fmt::format("{}", report_count(world_.face_count())),
                  fmt::format("10,000 + {} faces / 100", world_.face_count()));
             return static_cast<double>(report_count(world_.face_count()));
         }
-        const PhotonMap map(pilot.photons, pilot.origin, pilot.flux_scale);
-        const double density =
-            density_of_most(densities(map, sights_.empty() ? places_of(pilot) : sights_), places_satisfied) / emitted;
-        const double count = std::clamp(count_for(plan_.k, plan_.radius, density), fewest, most);
+        const double count = std::clamp(count_for(plan_.k, plan_.radius, density_at_most(pilot)), fewest, most);
         note("count", fmt::format("{:.0f}", count),
              fmt::format("{} photons within {:.4g} at three quarters of the places seen, {:.0f} to {:.0f}", plan_.k,
                          plan_.radius, fewest, most));

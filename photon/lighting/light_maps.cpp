@@ -52,6 +52,7 @@ private:
         if (progress_.interrupted()) return;
         tell("photons", shot);
         if (shot.photons.empty()) return warn_of_nothing(shot);
+        if (shot.ledger.rays == shot.ledger.paths) warn_of_black();
         const bool gathers = options_.indirect == Indirect::cache || options_.indirect == Indirect::gather;
         // Radiance photons look for lamps by rays, and for caustics in the map that has more of them.
         std::erase_if(shot.photons, [&](const Photon& p) {
@@ -76,12 +77,14 @@ private:
         const double count = std::min(wanted / stored, 1.0) * static_cast<double>(shot.emitted);
         const Shot places =
             shoot(world_, options_, {.seed = ~seed_, .count = static_cast<std::uint64_t>(std::ceil(count))}, progress_);
-        const RadianceRule rule{.seed = seed_,
-                                .every = 1,
-                                .light_rays = tuning_.light_rays,
-                                .lookup = maps_.global_lookup,
-                                .caustics = maps_.caustics ? &*maps_.caustics : nullptr,
-                                .caustic_lookup = quick(maps_.caustic_lookup)};
+        const RadianceRule rule{
+            .seed = seed_,
+            .every = 1,
+            .share = static_cast<float>(static_cast<double>(places.emitted) / static_cast<double>(shot.emitted)),
+            .light_rays = tuning_.light_rays,
+            .lookup = maps_.global_lookup,
+            .caustics = maps_.caustics ? &*maps_.caustics : nullptr,
+            .caustic_lookup = quick(maps_.caustic_lookup)};
         if (progress_.interrupted()) return;
         maps_.radiance = {make_radiance_photons(world_, places, *maps_.global, rule, progress_), places.origin};
         maps_.statistics.emplace_back("radiance photons", static_cast<std::int64_t>(maps_.radiance.size()));
@@ -113,6 +116,13 @@ private:
         maps_.statistics.emplace_back(what + " emitted", static_cast<std::int64_t>(shot.emitted));
         maps_.statistics.emplace_back(what + " stored", static_cast<std::int64_t>(shot.photons.size()));
         maps_.statistics.emplace_back(what + " lost share", shot.ledger.gap());
+        const auto add_flux = [&](const char* name, const FluxSum& flux) {
+            maps_.statistics.emplace_back(what + " W " + name, flux.r + flux.g + flux.b);
+        };
+        add_flux("emitted", shot.ledger.emitted);
+        add_flux("absorbed", shot.ledger.absorbed);
+        add_flux("escaped", shot.ledger.escaped);
+        add_flux("cut off", shot.ledger.cut_off);
         if (shot.ledger.not_finite > 0)
             progress_.log(0, fmt::format("{} {} ended because a material gave no finite value: check its parameters",
                                          shot.ledger.not_finite, what));
@@ -131,6 +141,12 @@ private:
             progress_.log(0, fmt::format("none of {} photons was kept: the lights do not shine on the model, or all of "
                                          "it is black; see that they face it",
                                          shot.emitted));
+    }
+
+    void warn_of_black() {
+        progress_.log(0,
+                      "no photon was scattered by what it met: all that the lights shine on is black, so there is no "
+                      "indirect light; give materials a reflectance, or leave out --photons");
     }
 
     const World& world_;
@@ -154,6 +170,9 @@ void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMa
     maps.caustic_lookup.kernel = options.caustic_kernel;
     maps.caustic_lookup.max_radius = sizes.caustic_radius;
     if (options.mode == Mode::report) return;
+    // Where photons are few, a gather's far hits are content with a wider disc.
+    const bool gathers = options.indirect == Indirect::cache || options.indirect == Indirect::gather;
+    if (!options.radius && gathers) maps.global_lookup.max_radius *= 4;
     // A lookup that shrinks where light changes may begin with more photons, and go farther where they are few.
     maps.caustic_lookup.adapt = true;
     if (!options.caustic_k) maps.caustic_lookup.k = sizes.caustic_k * 5 / 2;

@@ -5,6 +5,8 @@
 #include "photon/file/map_reader.hpp"
 #include "photon/file/shape_text.hpp"
 #include "photon/gather/side.hpp"
+#include "photon/heuristics/counts.hpp"
+#include "photon/lighting/phase_times.hpp"
 
 namespace cardioid::photon {
 
@@ -13,17 +15,29 @@ namespace {
 /// Rays of a gather where no cache point reaches: a place that only few samples of a pixel see.
 constexpr int missed_rays = 32;
 
+void tell(const std::vector<Derived>& derived, Progress& progress) {
+    for (const Derived& d : derived) progress.log(1, fmt::format("photon.{} = {}: {}", d.name, d.value, d.why));
+}
+
 bool is_diffuse_alone(const Bsdf& bsdf) { return !any(bsdf.lobes() & Lobe::glossy); }
 
 }  // namespace
 
 void PhotonModule::prepare(const World& world, const Eye* eye, Progress& progress) {
+    PhaseTimes times(progress);
+    make_maps(world, eye, times);
+    times_ = times.statistics();
+}
+
+void PhotonModule::make_maps(const World& world, const Eye* eye, Progress& progress) {
     scene_ = world.hash();
     progress.begin("plan");
     const Plan plan = make_plan(world, eye, options_, seed_, progress);
     const Tuning tuning = tune(options_, seed_);
-    for (const std::vector<Derived>* list : {&plan.derived, &tuning.derived})
-        for (const Derived& d : *list) progress.log(1, fmt::format("photon.{} = {}: {}", d.name, d.value, d.why));
+    if (!options_.memory)
+        tell({{"memory", fmt::format("{:.0f}", default_memory() / 1e6), "half of RAM [MB]"}}, progress);
+    tell(plan.derived, progress);
+    tell(tuning.derived, progress);
     if (progress.interrupted()) return;
     maps_ = make_light_maps(world, options_, plan, tuning, seed_, progress);
     if (!progress.interrupted()) look_up_from(world, eye, tuning, progress);
@@ -31,7 +45,9 @@ void PhotonModule::prepare(const World& world, const Eye* eye, Progress& progres
 
 void PhotonModule::look_up_from(const World& world, const Eye* eye, const Tuning& tuning, Progress& progress) {
     incoming_.emplace(make_incoming(world, maps_, eye == nullptr));
-    if (eye) caches_ = fill_eye_caches(world, *eye, options_, maps_, *incoming_, tuning, seed_, progress);
+    if (!eye) return;
+    caches_ = fill_eye_caches(world, *eye, options_, maps_, *incoming_, tuning, seed_, progress);
+    shown_.emplace(world, *eye, options_, maps_, tuning.hemisphere, seed_);
 }
 
 /// Irradiance of indirect light on the side of wo.
@@ -79,7 +95,8 @@ Rgb PhotonModule::caustic(const World& world, const SurfacePoint& point, const B
 }
 
 std::vector<Statistic> PhotonModule::statistics() const {
-    std::vector<Statistic> all = maps_.statistics;
+    std::vector<Statistic> all = times_;
+    all.insert(all.end(), maps_.statistics.begin(), maps_.statistics.end());
     const auto add = [&](const char* name, std::size_t value) {
         all.emplace_back(name, static_cast<std::int64_t>(value));
     };
@@ -120,13 +137,24 @@ void PhotonModule::save(const std::string& path) const {
 }
 
 void PhotonModule::load(const std::string& path, const World& world, const Eye* eye, Progress& progress) {
+    PhaseTimes times(progress);
+    load_maps(path, world, eye, times);
+    times_ = times.statistics();
+}
+
+void PhotonModule::load_maps(const std::string& path, const World& world, const Eye* eye, Progress& progress) {
     progress.begin("load");
     const MapReader file(path);
     file.require_scene(world.hash());
     file.require_text("options", shape_text(options_, seed_));
     scene_ = world.hash();
     maps_ = {};
-    set_lookups(options_, file.items<LookupSizes>("lookups").at(0), maps_);
+    const std::vector<LookupSizes> lookups = file.items<LookupSizes>("lookups");
+    if (lookups.size() != 1) throw Error(ErrorCode::bad_input, path + ": section \"lookups\" is not one item");
+    LookupSizes sizes = lookups[0];
+    sizes.caustic_k = options_.caustic_k.value_or(sizes.caustic_k);
+    if (options_.caustic_radius) sizes.caustic_radius = static_cast<float>(*options_.caustic_radius);
+    set_lookups(options_, sizes, maps_);
     const auto read_map = [&](const std::string& name, std::optional<PhotonMap>& map) {
         if (!file.has(name)) return;
         PhotonSet set = file.photons(name);
@@ -139,9 +167,13 @@ void PhotonModule::load(const std::string& path, const World& world, const Eye* 
     read_map("caustics", maps_.caustics);
     read_places("radiance", maps_.radiance);
     read_places("cache", maps_.precomputed);
-    look_up_from(world, eye, tune(options_, seed_), progress);
+    const Tuning tuning = tune(options_, seed_);
+    tell(tuning.derived, progress);
+    look_up_from(world, eye, tuning, progress);
 }
 
-std::vector<std::string> PhotonModule::views() const { return {"photons", "cache", "irradiance", "radius"}; }
+std::vector<std::string> PhotonModule::views() const {
+    return {"photons", "map", "lookup", "gather", "cache", "irradiance", "radius"};
+}
 
 }  // namespace cardioid::photon

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "photon/lighting/eye_caches.hpp"
+#include "photon/lighting/shown_place.hpp"
 
 namespace cardioid::photon {
 
@@ -25,7 +26,10 @@ public:
     void load(const std::string& path, const World& world, const Eye* eye, Progress& progress) override;
 
 private:
+    void make_maps(const World& world, const Eye* eye, Progress& progress);
+    void load_maps(const std::string& path, const World& world, const Eye* eye, Progress& progress);
     void look_up_from(const World& world, const Eye* eye, const Tuning& tuning, Progress& progress);
+    [[nodiscard]] Rgb density(const World& world, const PhotonMap& map, const SurfacePoint& point) const noexcept;
     [[nodiscard]] Rgb diffuse_irradiance(const World& world, const SurfacePoint& point, Vec3 wo,
                                          Sampler& sampler) const noexcept;
 
@@ -35,6 +39,8 @@ private:
     LightMaps maps_;
     std::optional<IncomingLight> incoming_;
     EyeCaches caches_;
+    std::optional<ShownPlace> shown_;
+    std::vector<Statistic> times_;  ///< of the phases of prepare() or load()
     /// Lookups that no cache point reached; counted for statistics alone.
     mutable std::atomic<std::uint64_t> missed_{0};
 };

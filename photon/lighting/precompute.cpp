@@ -20,7 +20,7 @@ std::vector<RadiancePhoton> precompute_irradiance(const World& world, const std:
         if (const auto point = surface_under(world, photon, origin)) {
             const Vec3 n = shading_normal(*point, decode_direction(photon.wi));
             const CacheRecord record = gather.record(*point, n, i, origin);
-            all[i] = {photon.p, photon.n, photon.region, record.E, record.distance};
+            all[i] = {photon.p, photon.n, photon.region, record.E, record.distance, record.distance};
             found[i] = is_finite(record.E);
         }
         progress.update(static_cast<double>(++done) / static_cast<double>(places.size()));

@@ -12,12 +12,14 @@ namespace {
 /// the picture. Stratified rays err as n^-3/4 where light changes smoothly, a cache with gradients as the square of
 /// its reach.
 constexpr double usual_error = 0.05;
-constexpr double usual_rays = 800, fewest_rays = 256, most_rays = 10'000;
+constexpr double usual_rays = 576, fewest_rays = 256, most_rays = 10'000;
 constexpr double usual_reach = 0.25, least_reach = 0.05, most_reach = 0.5;
 
 /// Points of the caustic cache reach this share of the radius that their photons came from: within that a density
 /// estimate hardly changes.
 constexpr float caustic_reach = 0.8F;
+/// And at least so many pixels; what lies between is looked up in the map. A whole pixel blurs the edges of caustics.
+constexpr float caustic_pixels = 0.3F;
 
 HemisphereCells cells_of(Strata strata) {
     switch (strata) {
@@ -52,7 +54,7 @@ Tuning tune(const PhotonOptions& options, std::uint32_t seed) {
     if (!options.cache_error) tuning.derived.push_back({"cache_error", fmt::format("{:.3g}", reach), why});
     tuning.indirect_rules.least_pixels = static_cast<float>(options.cache_pixels[0]);
     tuning.indirect_rules.most_pixels = static_cast<float>(options.cache_pixels[1]);
-    tuning.caustic_rules = {.reach = caustic_reach, .least_pixels = 1, .most_pixels = 20};
+    tuning.caustic_rules = {.reach = caustic_reach, .least_pixels = caustic_pixels, .most_pixels = 20};
     tuning.overture = {.seed = seed};
     tuning.radiance_photons = 50'000;
     tuning.light_rays = 16;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "photon/map/hull.hpp"
-#include "photon/map/kd_tree.hpp"
+#include "photon/map/tree/kd_tree.hpp"
 
 namespace cardioid::photon {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "photon/map/point_query.hpp"
+#include "photon/map/tree/point_query.hpp"
 
 namespace cardioid::photon {
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "photon/map/photon.hpp"
-#include "photon/map/point_tree.hpp"
+#include "photon/map/tree/point_tree.hpp"
 #include "photon/options/choices.hpp"
 #include "rt_core/api/world.hpp"
 

@@ -146,6 +146,7 @@ PhotonOptions read_photon_options(const Params& params) {
     read_lookups(in, o);
     read_indirect(in, o);
     read_cache_reach(params, o);
+    if (const auto pixel = params.vector("view_pixel", 2)) o.view_pixel = {(*pixel)[0], (*pixel)[1]};
     return o;
 }
 

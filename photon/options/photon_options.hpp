@@ -39,7 +39,7 @@ struct PhotonOptions {
     bool fixed_radius = false;     ///< every lookup takes `radius` whole, whatever it finds
     bool count_last = false;       ///< the photon that sets the radius counts too, which is too bright by 1/(k - 1)
     double normal_tolerance = 60;  ///< degrees between a photon's normal and the surface's
-    EdgeRule edge = EdgeRule::hull;
+    EdgeRule edge = EdgeRule::probe;
 
     // Indirect light (section 5).
     Indirect indirect = Indirect::cache;
@@ -52,6 +52,8 @@ struct PhotonOptions {
     std::array<double, 2> cache_pixels{3, 30};  ///< least and most that a cache point reaches, pixels
     bool cache_edge = false;                    ///< the report's edge rule divides cache lookups too
     bool keep_map = false;                      ///< the global map stays once the cache stands
+
+    std::optional<std::array<double, 2>> view_pixel;  ///< whose lookup and gather are shown; nothing: in the middle
 };
 
 /// The table that `cardioid list` prints.

@@ -29,7 +29,7 @@ constexpr ParamSpec params[] = {
     {"fixed_radius", ParamType::boolean, "false", "every lookup has the whole radius, however many photons it finds"},
     {"count_last", ParamType::boolean, "false", "the photon that sets the radius counts too (1/(k-1) too bright)"},
     {"normal_tolerance", ParamType::number, "60", "most degrees between normals of photon and surface, 0 to 90"},
-    {"edge", ParamType::text, "hull", "lookups across an edge: none, report, hull or probe"},
+    {"edge", ParamType::text, "probe", "lookups across an edge: none, report, hull or probe"},
 
     {"indirect", ParamType::text, "cache", "cache, precomputed (every n-th photon), gather, map or none"},
     {"hemisphere", ParamType::vector, "automatic", "[rows, columns] of the rays of a gather"},
@@ -42,6 +42,7 @@ constexpr ParamSpec params[] = {
     {"cache_pixels", ParamType::vector, "[3, 30]", "[least, most] that a cache point reaches [pixels]"},
     {"cache_edge", ParamType::boolean, "false", "the report's edge rule for cache lookups too (wrong: too bright)"},
     {"keep_map", ParamType::boolean, "false", "the global map stays in memory once the cache stands"},
+    {"view_pixel", ParamType::vector, "the middle", "[x, y] of what --view lookup and --view gather show [pixels]"},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "rt_core/api/params.hpp"
@@ -21,6 +22,10 @@ struct ReadOptions {
     bool show_background = false;        ///< --show-background: what `%` marks is drawn
     std::string materials_text;          ///< --materials: define_material and map_color calls to read before the scene
     std::string materials_file;          ///< its name, for messages
+    std::vector<std::string> objects;    ///< names behind the file's: what is to be drawn of it; empty: all
+    std::vector<std::pair<std::string, std::string>> settings;  ///< --set FORMAT.option=value, without the format
+    std::string view_text;                                      ///< --view FILE: where the eye stands, in its language
+    std::string view_file;                                      ///< its name, for messages
 };
 
 /// What a writer is told besides the scene.
@@ -43,6 +48,7 @@ struct Format {
     Scene (*read)(const std::string& text, const std::string& file, const ReadOptions&);
     /// The scene as the text of this format. Throws Error. Null: cannot be written.
     std::string (*write)(const Scene&, const WriteOptions&);
+    bool has_objects = false;  ///< ReadOptions::objects, settings and view mean something to it
 };
 
 }  // namespace cardioid

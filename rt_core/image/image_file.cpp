@@ -1,24 +1,26 @@
 #include "rt_core/image/image_file.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <limits>
 #include <string_view>
 
 #include "rt_core/api/error.hpp"
 #include "rt_core/image/atomic_file.hpp"
 #include "rt_core/image/encode.hpp"
+#include "rt_core/image/exr_writer.hpp"
+#include "rt_core/image/image_codecs.hpp"
+#include "rt_core/image/png_writer.hpp"
 #include "rt_core/scene/nearest_name.hpp"
 
 namespace cardioid {
 
 namespace {
 
-/// What we write: formats that OpenImageIO can write into memory, so that we see every failure of the disk. (TIFF is
-/// not among them: OpenImageIO 2.4 leaves its directory incomplete there.)
+/// What we write: PNG and EXR by ourselves, the rest by OpenImageIO where it can write into memory, so that we see
+/// every failure of the disk. (TIFF is not among them: OpenImageIO 2.4 leaves its directory incomplete there.)
 struct Extension {
     std::string_view name;
     bool linear;    ///< floats, not encoded
@@ -65,63 +67,55 @@ std::string one_line(std::string text) {
     return text;
 }
 
-void add_metadata(OIIO::ImageSpec& spec, const Metadata& metadata, bool any_name) {
+/// All entries as "name: text" lines.
+std::string described(const Metadata& metadata) {
     std::string lines;
-    for (const auto& [name, text] : metadata) {
-        if (any_name) spec.attribute(name, text);
-        lines += name + ": " + one_line(text) + "\n";
-    }
-    if (!any_name && !lines.empty()) spec.attribute(description, lines);
+    for (const auto& [name, text] : metadata) lines += name + ": " + one_line(text) + "\n";
+    return lines;
 }
 
-/// Encodes into memory and puts the file in its place; type is that of `data`.
-void write(const std::string& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* data) {
-    const auto output = OIIO::ImageOutput::create(path);
-    if (!output) throw Error(ErrorCode::io, fmt::format("{}: {}", path, OIIO::geterror()));
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    if (!output->set_ioproxy(&memory) || !output->open(path, spec) || !output->write_image(type, data) ||
-        !output->close())
-        throw Error(ErrorCode::io, fmt::format("{}: {}", path, output->geterror()));
+Metadata as_description(const Metadata& metadata) {
+    if (metadata.empty()) return {};
+    return {{description, described(metadata)}};
+}
+
+void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
     write_whole_file(path, std::as_bytes(std::span(bytes)));
 }
 
-void write_encoded(const std::string& path, const Film& film, const Layer& layer, const ImageWriteSettings& settings) {
-    OIIO::ImageSpec spec(film.width, film.height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("CompressionQuality", 95);
-    add_metadata(spec, settings.metadata, false);
-    const std::vector<std::uint8_t> bytes = encode_8bit(layer, settings.exposure);
-    write(path, spec, OIIO::TypeDesc::UINT8, bytes.data());
+/// By OpenImageIO.
+void write(const std::string& path, const RawImage& image) {
+    std::vector<unsigned char> bytes;
+    const std::string failure = image_codecs().encode(path, image, bytes);
+    if (!failure.empty()) throw Error(ErrorCode::io, fmt::format("{}: {}", path, failure));
+    write(path, bytes);
 }
 
-/// The given layers side by side in one file, linear.
-void write_linear(const std::string& path, const Film& film, std::span<const Layer> layers,
-                  const ImageWriteSettings& settings, bool any_name) {
-    int channels = 0;
-    for (const Layer& layer : layers) channels += layer.channels;
-    const OIIO::TypeDesc format = settings.half && any_name ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
-    OIIO::ImageSpec spec(film.width, film.height, channels, format);
-    spec.attribute("oiio:ColorSpace", "Linear");
-    spec.channelnames.clear();
-    for (const Layer& layer : layers)
-        for (int c = 0; c < layer.channels; ++c) {
-            spec.channelnames.push_back(channel_name(layer, c));
+void write_encoded(const std::string& path, const Film& film, const Layer& layer, const ImageWriteSettings& settings) {
+    const std::vector<std::uint8_t> bytes = encode_8bit(layer, settings.exposure);
+    if (extension_of(path) == ".png")
+        return write(path, encode_png(film.width, film.height, bytes, described(settings.metadata)));
+    RawImage image{film.width, film.height, {"R", "G", "B"}, true, {}, as_description(settings.metadata)};
+    for (const std::uint8_t byte : bytes) image.values.push_back(static_cast<float>(byte) / 255);
+    write(path, image);
+}
+
+/// All layers side by side.
+void write_exr(const std::string& path, const Film& film, const ImageWriteSettings& settings) {
+    std::vector<ExrChannel> channels;
+    for (const Layer& layer : film.layers)
+        for (int c = 0; c < layer.channels; ++c)
             // Ids and distances need more than half's eleven bits.
-            spec.channelformats.push_back(layer.channels == 1 ? OIIO::TypeDesc::FLOAT : format);
-        }
-    if (!any_name) spec.channelformats.clear();
-    add_metadata(spec, settings.metadata, any_name);
-    std::vector<float> data;
-    const std::size_t n = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-    data.reserve(n * static_cast<std::size_t>(channels));
-    for (std::size_t i = 0; i < n; ++i)
-        for (const Layer& layer : layers) {
-            const auto width = static_cast<std::ptrdiff_t>(layer.channels);
-            const auto at = layer.pixels.begin() + static_cast<std::ptrdiff_t>(i) * width;
-            data.insert(data.end(), at, at + width);
-        }
-    write(path, spec, OIIO::TypeDesc::FLOAT, data.data());
+            channels.push_back({channel_name(layer, c), settings.half && layer.channels > 1, layer.pixels.data() + c,
+                                static_cast<std::size_t>(layer.channels)});
+    write(path, encode_exr(film.width, film.height, std::move(channels), settings.metadata));
+}
+
+/// One layer as floats.
+void write_linear(const std::string& path, const Film& film, const Layer& layer, const ImageWriteSettings& settings) {
+    RawImage image{film.width, film.height, {}, false, layer.pixels, as_description(settings.metadata)};
+    for (int c = 0; c < layer.channels; ++c) image.channels.push_back(channel_name(layer, c));
+    write(path, image);
 }
 
 /// "out.png" and "direct" give "out.direct.png".
@@ -130,10 +124,8 @@ std::string beside(const std::string& path, const std::string& layer) {
     return path.substr(0, dot) + "." + layer + path.substr(dot);
 }
 
-void read_metadata(const OIIO::ImageSpec& spec, Metadata& metadata) {
-    for (const OIIO::ParamValue& entry : spec.extra_attribs) {
-        if (entry.type() != OIIO::TypeDesc::STRING) continue;
-        const std::string name = entry.name().string(), text = entry.get_string();
+void read_metadata(const Metadata& entries, Metadata& metadata) {
+    for (const auto& [name, text] : entries) {
         if (name != description) {
             if (!name.starts_with("oiio:")) metadata.emplace_back(name, text);
             continue;
@@ -149,11 +141,12 @@ void read_metadata(const OIIO::ImageSpec& spec, Metadata& metadata) {
 }
 
 /// Puts interleaved channels into the layers that their names tell.
-void split_layers(const OIIO::ImageSpec& spec, const std::vector<float>& data, Film& film) {
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
+void split_layers(const RawImage& image, Film& film) {
+    const std::vector<float>& data = image.values;
+    const std::size_t channels = image.channels.size();
     std::vector<std::size_t> layer_of(channels);
     for (std::size_t c = 0; c < channels; ++c) {
-        const std::string full = spec.channel_name(static_cast<int>(c));
+        const std::string& full = image.channels[c];
         const std::size_t dot = full.rfind('.');
         const std::string name = dot == std::string::npos ? "" : full.substr(0, dot);
         const auto at =
@@ -178,29 +171,22 @@ void check_image_path(const std::string& path) {
 
 void write_image(const std::string& path, const Film& film, const ImageWriteSettings& settings) {
     const Extension& extension = known_extension(path);
-    const std::span<const Layer> layers(film.layers);
-    if (extension.channels) return write_linear(path, film, layers, settings, true);
-    for (const Layer& layer : layers) {
+    if (extension.channels) return write_exr(path, film, settings);
+    for (const Layer& layer : film.layers) {
         const std::string file = layer.name.empty() ? path : beside(path, layer.name);
         if (extension.linear)
-            write_linear(file, film, std::span(&layer, 1), settings, false);
+            write_linear(file, film, layer, settings);
         else
             write_encoded(file, film, layer, settings);
     }
 }
 
-Film read_image(const std::string& path, Metadata* metadata) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw Error(ErrorCode::io, fmt::format("{}: cannot read: {}", path, OIIO::geterror()));
-    const OIIO::ImageSpec& spec = input->spec();
-    Film film;
-    film.width = spec.width;
-    film.height = spec.height;
-    std::vector<float> data(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, data.data()))
-        throw Error(ErrorCode::io, fmt::format("{}: cannot read: {}", path, input->geterror()));
-    split_layers(spec, data, film);
-    if (metadata) read_metadata(spec, *metadata);
+Film read_image(const std::string& path, Metadata* metadata, bool* encoded) {
+    const RawImage image = read_raw_image(path, std::numeric_limits<std::int64_t>::max());
+    Film film{image.width, image.height, {}};
+    split_layers(image, film);
+    if (metadata) read_metadata(image.metadata, *metadata);
+    if (encoded) *encoded = image.encoded;
     return film;
 }
 

@@ -1,14 +1,10 @@
 #pragma once
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "rt_core/api/image.hpp"
 #include "rt_core/image/film.hpp"
 
 namespace cardioid {
-
-/// Name and text of a metadata entry: program version, command line, seed, scene hash ...
-using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 struct ImageWriteSettings {
     double exposure = 0;  ///< EV, for the 8-bit formats
@@ -25,8 +21,8 @@ void check_image_path(const std::string& path);
 /// The file appears whole or not at all. Throws Error(io).
 void write_image(const std::string& path, const Film& film, const ImageWriteSettings& settings);
 
-/// Every channel of the first subimage as floats, 8-bit pictures left encoded as they are, with the metadata. Throws
-/// Error(io).
-Film read_image(const std::string& path, Metadata* metadata = nullptr);
+/// Every channel of the first subimage as floats, 8-bit pictures left encoded as they are, with the metadata and
+/// whether it is encoded. Throws Error(io).
+Film read_image(const std::string& path, Metadata* metadata = nullptr, bool* encoded = nullptr);
 
 }  // namespace cardioid

@@ -54,7 +54,8 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
       resolution_(width, height),
       orthographic_(settings.projection == CameraSettings::Projection::orthographic),
       lens_radius_(settings.lens_radius),
-      focus_(settings.focus) {
+      focus_(settings.focus),
+      shift_(settings.pixel_shift) {
     check(settings);
     const Vec3d view = settings.look_at - settings.eye;
     if (focus_ == 0) focus_ = length(view);
@@ -73,8 +74,8 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
 }
 
 Ray Camera::ray(Vec2d film, Vec2 u_lens) const noexcept {
-    const double x = (2 * film.x / resolution_.x - 1) * half_.x;
-    const double y = (1 - 2 * film.y / resolution_.y) * half_.y;
+    const double x = (2 * (film.x + shift_.x) / resolution_.x - 1) * half_.x;
+    const double y = (1 - 2 * (film.y + shift_.y) / resolution_.y) * half_.y;
     const Vec3d aside = right_ * x + up_ * y;
     Ray ray;
     if (orthographic_) {

@@ -25,6 +25,7 @@ private:
     Vec2d half_, resolution_;  ///< half the picture at distance 1 (or in units); pixels
     bool orthographic_;
     double lens_radius_, focus_;
+    Vec2d shift_;  ///< of every place on the film [pixels]
     double pixel_ = 0, spread_ = 0;
 };
 

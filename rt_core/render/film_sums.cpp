@@ -95,9 +95,9 @@ void FilmSums::add(std::size_t pixel, const PixelSample& sample) noexcept {
     for (std::size_t layer = 0; layer < kinds_.size(); ++layer) add_to(layer, pixel, sample);
 }
 
-float FilmSums::luminance_sum(std::size_t pixel) const noexcept {
+Rgb FilmSums::beauty_sum(std::size_t pixel) const noexcept {
     const float* at = film_.layers[0].pixels.data() + pixel * 3;
-    return luminance({at[0], at[1], at[2]});
+    return {at[0], at[1], at[2]};
 }
 
 Film FilmSums::finish(const std::vector<std::uint32_t>& samples) && {

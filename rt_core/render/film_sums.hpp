@@ -27,8 +27,8 @@ public:
     void add(std::size_t pixel, const PixelSample& sample) noexcept;
     /// The picture so far; the pixel has had samples[pixel] samples. Ends the sums' life.
     [[nodiscard]] Film finish(const std::vector<std::uint32_t>& samples) &&;
-    /// Luminance summed over the samples so far.
-    [[nodiscard]] float luminance_sum(std::size_t pixel) const noexcept;
+    /// Beauty summed over the samples so far.
+    [[nodiscard]] Rgb beauty_sum(std::size_t pixel) const noexcept;
 
 private:
     /// How a layer takes its samples.

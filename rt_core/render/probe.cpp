@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <optional>
 
 #include "rt_core/api/parallel.hpp"
 #include "rt_core/render/camera_path.hpp"
@@ -46,6 +47,7 @@ struct Target {
     std::uint64_t index = 0;
     Plate plate;
     EyeRay ray;
+    std::optional<Rgb> caustic;  ///< where the module looks it up and draws nothing
 };
 
 struct Group {
@@ -106,8 +108,14 @@ private:
 void Job::aim(Target& target, const ProbePoint& point) const noexcept {
     const Vec3 d = unit(point.d);
     target.plate = finder_.place(point.p, d);
-    if (settings_.what == Quantity::irradiance) return;
     const SurfacePoint& at = target.plate.point;
+    if (settings_.what == Quantity::irradiance) {
+        Sampler sampler(settings_.seed, Purpose::probe, target.index * most_groups, 0);
+        const Sampler fresh = sampler;
+        const Rgb caustic = module_.caustic(scene_, at, PlateBsdf(target.plate.horizon), target.plate.normal, sampler);
+        if (sampler == fresh) target.caustic = caustic;
+        return;
+    }
     target.ray.ray = at.ray(d);
     target.ray.medium = dot(at.ng, d) > 0 ? at.front : at.back;
 }
@@ -125,7 +133,7 @@ Rgb Job::sample(const Target& target, std::uint32_t group, std::uint32_t number,
     const PlateBsdf white(target.plate.horizon);
     const Rgb direct = scene_.direct(point, white, wo, sampler, &module_);
     const Sampler then = sampler;
-    const Rgb caustic = module_.caustic(scene_, point, white, wo, sampler);
+    const Rgb caustic = target.caustic ? *target.caustic : module_.caustic(scene_, point, white, wo, sampler);
     const Rgb indirect = module_.indirect(scene_, point, white, wo, sampler);
     drawn = !delta_lights_ || !(sampler == then);
     return (direct + caustic + indirect) * pi;

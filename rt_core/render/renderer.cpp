@@ -9,6 +9,7 @@
 #include "rt_core/render/film_sums.hpp"
 #include "rt_core/render/picture_eye.hpp"
 #include "rt_core/render/ray_counts.hpp"
+#include "rt_core/render/sampling/noise_plan.hpp"
 #include "rt_core/render/sampling/pixel_filter.hpp"
 #include "rt_core/render/sampling/pixel_stream.hpp"
 #include "rt_core/render/stop_rule.hpp"
@@ -38,10 +39,9 @@ public:
           sums_(crop_[2] - crop_[0], crop_[3] - crop_[1], settings.layers),
           tiles_(morton_tiles(crop_)),
           samples_(tiles_.size()),
-          quiet_(tiles_.size()),
           plan_(settings) {
         if (!settings.view.empty()) view_.emplace(settings.view, scene, module);
-        if (settings.noise > 0) noise_.emplace(settings.noise, pixel_count());
+        if (settings.noise > 0) noise_.emplace(settings.noise, plan_.most_samples(), crop_, tiles_);
         if (settings.samples <= 0 && !(settings.time_s > 0) && !(settings.noise > 0))
             throw Error(ErrorCode::usage, fmt::format("{} samples a pixel: at least 1 is wanted", settings.samples));
     }
@@ -49,16 +49,9 @@ public:
     RenderResult run() {
         const double cpu = process_cpu_seconds();
         progress_.begin("render");
-        std::uint32_t done = 0;
-        while (const std::uint32_t count = stopped() ? 0 : plan_.next(done)) {
-            parallel_for(static_cast<std::int64_t>(tiles_.size()), [&](std::int64_t i) {
-                const auto tile = static_cast<std::size_t>(i);
-                if (quiet_[tile] || stopped()) return;
-                render_tile(tile, done, count);
-            });
-            done += count;
-            if (noise_ && !hush()) break;
+        while (!stopped() && pass()) {
         }
+        if (noise_) statistics_.noise = noise_->noise();
         statistics_.interrupted = progress_.interrupted();
         statistics_.seconds = plan_.seconds();
         statistics_.cpu_seconds = process_cpu_seconds() - cpu;
@@ -81,14 +74,12 @@ private:
                static_cast<std::uint64_t>(x);
     }
     /// The user or the clock wants an end; the clock only once every pixel has had a sample.
-    [[nodiscard]] bool stopped() const {
-        return progress_.interrupted() || (samples_done_.load() >= pixel_count() && plan_.time_is_up());
-    }
+    [[nodiscard]] bool stopped() const { return progress_.interrupted() || (covered_ && plan_.time_is_up()); }
 
-    void render_tile(std::size_t index, std::uint32_t first, std::uint32_t count);
+    bool pass();
+    void render_tile(std::size_t index, std::uint32_t count);
     [[nodiscard]] EyeRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
     [[nodiscard]] PixelSample sample(int x, int y, Sampler& sampler) const noexcept;
-    bool hush();
     [[nodiscard]] std::vector<std::size_t> pixels_of(const Tile& tile) const;
     [[nodiscard]] std::vector<std::uint32_t> pixel_samples() const;
     void name_bad_pixel();
@@ -102,10 +93,10 @@ private:
     FilmSums sums_;
     std::vector<Tile> tiles_;
     std::vector<std::uint32_t> samples_;  ///< a pixel, of each tile
-    std::vector<char> quiet_;             ///< tiles whose noise is low enough
+    bool covered_ = false;                ///< every pixel has a sample
     PassPlan plan_;
     std::optional<View> view_;
-    std::optional<NoiseMeter> noise_;
+    std::optional<NoisePlan> noise_;
 
     std::atomic<std::uint64_t> samples_done_{0};
     std::mutex mutex_;  ///< guards the two below
@@ -135,7 +126,24 @@ PixelSample Job::sample(int x, int y, Sampler& sampler) const noexcept {
     return out;
 }
 
-void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t count) {
+/// More samples in all tiles, or in those where the noise asks for them; false where none are left to take.
+bool Job::pass() {
+    // Without a noise to reach all tiles have the same number of samples.
+    const std::uint32_t each = plan_.next(samples_[0]);
+    if (noise_ ? noise_->done() : each == 0) return false;
+    parallel_for(static_cast<std::int64_t>(tiles_.size()), [&](std::int64_t i) {
+        const auto tile = static_cast<std::size_t>(i);
+        const std::uint32_t count = noise_ ? noise_->wanted(tile) : each;
+        if (count > 0 && !stopped()) render_tile(tile, count);
+    });
+    covered_ = true;
+    // A tile may have no samples yet where the user has ended it.
+    if (noise_ && !progress_.interrupted()) noise_->measure(sums_, samples_);
+    return true;
+}
+
+void Job::render_tile(std::size_t index, std::uint32_t count) {
+    const std::uint32_t first = samples_[index];
     const RayCounts before = ray_counts;
     const Tile& tile = tiles_[index];
     std::uint64_t bad = 0;
@@ -155,14 +163,15 @@ void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t coun
                     found.parts = {};
                 }
                 sums_.add(pixel, found);
-                if (noise_ && s < count / 2) noise_->add(pixel, luminance(found.beauty));
+                if (noise_ && s < count / 2) noise_->add(pixel, found.beauty);
             }
         }
     samples_[index] = first + count;
 
     const auto pixels = static_cast<std::uint64_t>(tile.x1 - tile.x0) * static_cast<std::uint64_t>(tile.y1 - tile.y0);
     const std::uint64_t done = samples_done_ += pixels * count;
-    progress_.update(plan_.share(static_cast<double>(done) / static_cast<double>(pixel_count())));
+    progress_.update(
+        plan_.share(static_cast<double>(done) / static_cast<double>(pixel_count()), noise_ ? noise_->share() : 0));
     const std::lock_guard lock(mutex_);
     statistics_.camera_rays += ray_counts.camera - before.camera;
     statistics_.shadow_rays += ray_counts.shadow - before.shadow;
@@ -170,25 +179,6 @@ void Job::render_tile(std::size_t index, std::uint32_t first, std::uint32_t coun
     statistics_.bounce_rays += ray_counts.bounce - before.bounce;
     statistics_.bad_samples += bad;
     first_bad_ = std::min(first_bad_, first_bad);
-}
-
-/// Marks the tiles that are quiet enough; false once all are.
-bool Job::hush() {
-    double mean = 0;
-    const std::vector<std::uint32_t> samples = pixel_samples();
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        if (samples[i] > 0) mean += static_cast<double>(sums_.luminance_sum(i)) / samples[i];
-    mean /= static_cast<double>(samples.size());
-    bool more = false;
-    std::vector<NoiseMeter::Sum> tile;
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        if (quiet_[i]) continue;
-        tile.clear();
-        for (const std::size_t pixel : pixels_of(tiles_[i])) tile.push_back({pixel, sums_.luminance_sum(pixel)});
-        quiet_[i] = noise_->quiet(tile, samples_[i], mean);
-        more = more || !quiet_[i];
-    }
-    return more;
 }
 
 std::vector<std::size_t> Job::pixels_of(const Tile& tile) const {

@@ -23,7 +23,7 @@ struct RenderSettings {
     Filter filter = Filter::gaussian;
     CameraSettings camera;
     double time_s = 0;                ///< > 0: ends after this time, at the latest after `samples`
-    double noise = 0;                 ///< > 0: until the relative standard error of the pixels of every tile is below
+    double noise = 0;                 ///< > 0: until the picture's relative error is below; see NoisePlan
     std::vector<std::string> layers;  ///< of layer_names()
     std::string view;                 ///< a debug picture instead of the beauty: view_names() or one of the module's
 };
@@ -37,6 +37,7 @@ struct RenderStatistics {
     std::uint64_t bad_samples = 0;        ///< NaN, infinite or negative: replaced by black
     std::array<int, 2> first_bad_pixel{-1, -1};
     bool interrupted = false;
+    double noise = 0;  ///< of the picture where RenderSettings::noise was asked for, as NoisePlan last measured it
 };
 
 /// Layer normal is the mean of the unit normals towards +ng, depth the distance from the ray's origin averaged over the

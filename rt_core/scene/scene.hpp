@@ -26,6 +26,7 @@ struct CameraSettings {
     double width = 0;        ///< of an orthographic view, scene units
     double lens_radius = 0;  ///< scene units, 0 is a pinhole
     double focus = 0;        ///< distance of the plane in focus, 0 is |look_at - eye|
+    Vec2d pixel_shift;       ///< added to every place on the film [pixels], to meet another program's rays
 };
 
 /// A material by name; `kind` names a Shader of the registry. Index 0 of Scene::materials is the default material.
@@ -55,6 +56,9 @@ struct Scene {
     /// Of each root of `solids`: the number of the statement at the top of the file that made it. Solids of one
     /// statement are meant to be one. Empty: each root stands for itself.
     std::vector<std::uint32_t> statements;
+    std::vector<std::string> names;  ///< of the roots, where the file names them; else empty
+    std::vector<std::string> tops;   ///< objects that may be asked for by name, where the file has such
+    std::string lighting;            ///< lighting module the file's look needs; empty: what the command line says
     bool six_digits = true;  ///< numbers were printed with 6 digits, so nearly coincident faces are meant to coincide
     std::vector<std::string> warnings;  ///< file:line:column: text
 };

@@ -32,7 +32,23 @@ enum class LeafKind : std::uint8_t {
     half_space,  ///< z <= 0
     prism,       ///< profile x [0, 1] along z; at z = 1 the profile is scaled by `a` (0 < a; 1 is a straight prism)
     revolution,  ///< profile in (x = distance from the z axis >= 0, y = z) turned about z
-    mesh         ///< closed triangle mesh
+    mesh,        ///< closed triangle mesh
+    form         ///< a Form
+};
+
+/// Shapes by a formula; w, n ... are Form::numbers in this order.
+enum class FormKind : std::uint8_t {
+    bowl,           ///< 0 <= z <= 1, x^2 + y^2 <= w u^2 + (1 - w) u, u = 1 - z, 0 <= w < 1: paraboloid, hyperboloid
+    trough,         ///< the same with 0 <= y <= 1 and x^2 alone on the left
+    waist,          ///< -1 <= z <= 1, x^2 + y^2 <= n + (1 - n) z^2, 0 < n < 1: hyperboloid of one sheet
+    taper,          ///< 0 <= z <= 1, (x / (1 + (c - 1) z))^2 + (y / (1 + (d - 1) z))^2 <= 1, c and d >= 0
+    tilted_ring,    ///< A r^2 + B r z + C z^2 <= 1 with r = sqrt(x^2 + y^2) - R: numbers R, A, B, C; r > -R inside
+    superellipsoid  ///< (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1, n and e in (0, 2]
+};
+
+struct Form {
+    FormKind kind = FormKind::bowl;
+    std::array<double, 4> numbers{};
 };
 
 struct Leaf {
@@ -40,7 +56,7 @@ struct Leaf {
     LeafKind kind = LeafKind::box;
     Affine to_world;                       ///< determinant is not zero; negative mirrors
     double a = 0, b = 0;                   ///< as said at LeafKind
-    std::uint32_t data = 0;                ///< index into SolidTree::profiles or ::meshes
+    std::uint32_t data = 0;                ///< index into SolidTree::profiles, ::meshes or ::forms
     std::uint32_t material = no_material;  ///< index into Scene::materials
     std::uint32_t line = 0;                ///< of the scene file
 };
@@ -66,6 +82,7 @@ struct SolidTree {
     std::vector<Leaf> leaves;
     std::vector<std::shared_ptr<const Profile>> profiles;
     std::vector<std::shared_ptr<const TriangleMesh>> meshes;
+    std::vector<Form> forms;
 
     /// Adds a node over one leaf and returns the node's index.
     std::uint32_t add_leaf(const Leaf& leaf) {
@@ -86,6 +103,10 @@ struct SolidTree {
     std::uint32_t add_mesh(TriangleMesh mesh) {
         meshes.push_back(std::make_shared<const TriangleMesh>(std::move(mesh)));
         return static_cast<std::uint32_t>(meshes.size() - 1);
+    }
+    std::uint32_t add_form(const Form& form) {
+        forms.push_back(form);
+        return static_cast<std::uint32_t>(forms.size() - 1);
     }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "rt_core/api/error.hpp"
 
@@ -46,10 +47,20 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
 /// What a query carries through Embree into the callback of the solids.
 struct EmbreeScene::Query {
     embree::Context context;  // first, so that the context's address is the query's
-    explicit Query(const Ray& r, double tie_) : ray(r), tie(tie_) { embree::init(context); }
-    Ray ray;  ///< its end comes nearer as boundaries are found
+    explicit Query(const Ray& r, double tie_) : ray(&r), tie(tie_) { embree::init(context); }
+    [[nodiscard]] const Hit& best() const { return hits[best_at]; }
+    /// Takes the other of the hits as the best, and lets the ray end there.
+    void accept() {
+        best_at = 1 - best_at;
+        if (!shorter) ray = &shorter.emplace(*ray);
+        shorter->t_max = std::min(shorter->t_max, best().t + tie);
+    }
+    // Neither the ray nor hits are copied while their parts are still being written, which would wait for them.
+    const Ray* ray;  ///< the caller's, or `shorter` once a boundary is found
     double tie;
-    Hit best;
+    std::optional<Ray> shorter;
+    unsigned best_at = 0;
+    Hit hits[2];
 };
 
 EmbreeScene::EmbreeScene(std::vector<Solid> solids, std::span<const TriangleSurface> surfaces,
@@ -92,8 +103,9 @@ void EmbreeScene::add_solids() {
         auto& query = *reinterpret_cast<Query*>(a->context);
         self.visit(self.bounded_[a->primID], query);
         auto& found = *reinterpret_cast<RTCRayHit*>(a->rayhit);
-        if (query.best.id.region != self.bounded_[a->primID].id || rounded_up(query.best.t) >= found.ray.tfar) return;
-        found.ray.tfar = rounded_up(query.best.t);
+        if (query.best().id.region != self.bounded_[a->primID].id || rounded_up(query.best().t) >= found.ray.tfar)
+            return;
+        found.ray.tfar = rounded_up(query.best().t);
         found.hit.geomID = solids_geometry;
     });
     rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
@@ -101,7 +113,7 @@ void EmbreeScene::add_solids() {
         const auto& self = *static_cast<const EmbreeScene*>(a->geometryUserPtr);
         const Solid& solid = self.bounded_[a->primID];
         Hit hit;
-        if (solid.region->first_boundary(reinterpret_cast<const Query*>(a->context)->ray, solid.id, hit))
+        if (solid.region->first_boundary(*reinterpret_cast<const Query*>(a->context)->ray, solid.id, hit))
             reinterpret_cast<RTCRay*>(a->ray)->tfar = -std::numeric_limits<float>::infinity();
     });
     rtcCommitGeometry(geometry);
@@ -131,15 +143,15 @@ void EmbreeScene::add_surface(const TriangleSurface& surface) {
 /// Asks one solid for a boundary nearer than the best; near ties go to the later solid, whatever the order of the
 /// visits.
 void EmbreeScene::visit(const Solid& solid, Query& query) const noexcept {
-    Hit hit;
-    if (!solid.region->first_boundary(query.ray, solid.id, hit)) return;
-    if (query.best.found()) {
-        const bool tied = std::abs(hit.t - query.best.t) <= query.tie;
-        if (tied ? solid.id < query.best.id.region : hit.t > query.best.t) return;
+    Hit& hit = query.hits[1 - query.best_at];
+    if (!solid.region->first_boundary(*query.ray, solid.id, hit)) return;
+    const Hit& best = query.best();
+    if (best.found()) {
+        const bool tied = std::abs(hit.t - best.t) <= query.tie;
+        if (tied ? solid.id < best.id.region : hit.t > best.t) return;
     }
     hit.id.region = solid.id;
-    query.best = hit;
-    query.ray.t_max = std::min(query.ray.t_max, hit.t + query.tie);
+    query.accept();
 }
 
 inline void EmbreeScene::embree_ray(const Ray& ray, RTCRay& r) const noexcept {
@@ -192,11 +204,11 @@ Hit EmbreeScene::intersect(const Ray& ray) const noexcept {
     for (const Solid& solid : unbounded_) visit(solid, query);
     RTCRayHit found;
     embree_ray(ray, found.ray);
-    if (query.best.found()) found.ray.tfar = rounded_up(query.best.t);
+    if (query.best().found()) found.ray.tfar = rounded_up(query.best().t);
     found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(scene_, query.context, found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID || found.hit.geomID == solids_geometry) return query.best;
-    if (query.best.found() && query.best.t <= static_cast<double>(found.ray.tfar)) return query.best;
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID || found.hit.geomID == solids_geometry) return query.best();
+    if (query.best().found() && query.best().t <= static_cast<double>(found.ray.tfar)) return query.best();
     const std::uint32_t surface = found.hit.geomID - 1;
     return triangle_hit(found, first_surface_id_ + surface, corners_[surface].mirrored);
 }

@@ -12,8 +12,8 @@
 /// | `grid`     | 0       | K: K x K fixed points in the middle of equal parts instead of the whole lamp |
 ///
 /// Any transform that does not flatten it is good; a sheared one makes a parallelogram. Rectangles are sampled
-/// uniformly over the solid angle they are seen under, parallelograms and rectangles farther away than twice their
-/// diagonal over their area.
+/// uniformly over the solid angle they are seen under, parallelograms and rectangles farther away than one and a half
+/// times their diagonal over their area.
 #include "shaders/lights/lamp.hpp"
 #include "shaders/lights/lights.hpp"
 #include "shaders/lights/solid_angle_rectangle.hpp"
@@ -24,8 +24,9 @@ namespace {
 /// Solid angles below this are better taken as area cos / d^2: the difference of angles that makes them has few digits
 /// left, and the two densities hardly differ.
 constexpr double far_solid_angle = 1e-3;
-/// Nor do they from farther away than so many half diagonals of the lamp, where it is the quicker way by far.
-constexpr double far_away = 4;
+/// Nor do they from farther away than so many half diagonals of the lamp, where it is the quicker way by far: on the
+/// Cornell box 4 instead of 3 take 2 % off the variance and add 8 % to the time.
+constexpr double far_away = 3;
 
 class AreaLight final : public Lamp {
 public:
@@ -71,6 +72,8 @@ private:
           width_(length(edge_x_)),
           height_(length(edge_y_)) {
         const Vec3d n = cross(edge_x_, edge_y_);
+        along_x_ = edge_x_ / width_;
+        along_y_ = normalize(edge_y_ - along_x_ * dot(edge_y_, along_x_));
         to_x_ = cross(edge_y_, n) / dot(cross(edge_y_, n), edge_x_);
         to_y_ = cross(n, edge_x_) / dot(cross(n, edge_x_), edge_y_);
         // Six digits of a rotation in the file leave corners this far from square.
@@ -86,13 +89,13 @@ private:
     }
     [[nodiscard]] SolidAngleRectangle seen_from(Vec3d p) const noexcept {
         const Vec3d corner = plate_.centre - (edge_x_ + edge_y_) * 0.5 - p;
-        const Vec3d x = edge_x_ / width_;
-        return {corner, x, normalize(edge_y_ - x * dot(edge_y_, x)), width_, height_};
+        return {corner, along_x_, along_y_, width_, height_};
     }
 
     Plate plate_;
-    Vec3d edge_x_, edge_y_;  ///< full, in the world
-    Vec3d to_x_, to_y_;      ///< dot(to_x_, q) is q's share of edge_x_
+    Vec3d edge_x_, edge_y_;    ///< full, in the world
+    Vec3d along_x_, along_y_;  ///< unit, at right angles
+    Vec3d to_x_, to_y_;        ///< dot(to_x_, q) is q's share of edge_x_
     double width_, height_;
     bool right_angled_ = false;
 };

@@ -1,8 +1,7 @@
 #include "shaders/lights/sky_image.hpp"
 
-#include <OpenImageIO/imageio.h>
-
 #include "rt_core/api/error.hpp"
+#include "rt_core/api/image.hpp"
 
 namespace cardioid::shaders {
 namespace {
@@ -15,28 +14,25 @@ float linear_of_srgb(float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v 
 
 float clean(float v) { return std::isfinite(v) && v > 0 ? v : 0; }
 
+RawImage read(const std::string& path, const std::string& where) {
+    try {
+        return read_raw_image(path, most_pixels);
+    } catch (const Error& error) {
+        throw Error(error.code(), where + ": sky image " + error.what());
+    }
+}
+
 }  // namespace
 
 SkyImage::SkyImage(const std::string& path, const std::string& where) {
-    const auto fail = [&](ErrorCode code, const std::string& why) {
-        throw Error(code, where + ": cannot read sky image \"" + path + "\": " + why);
-    };
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) fail(ErrorCode::io, OIIO::geterror());
-    const OIIO::ImageSpec spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail(ErrorCode::io, "it has no pixels");
-    if (std::int64_t{spec.width} * spec.height > most_pixels) fail(ErrorCode::limit, "it is too large");
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
-    const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    std::vector<float> values(count * channels);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-        fail(ErrorCode::io, input->geterror());
-
-    width_ = spec.width, height_ = spec.height;
-    const bool encoded = !spec.format.is_floating_point();
+    const RawImage image = read(path, where);
+    const std::vector<float>& values = image.values;
+    const std::size_t channels = image.channels.size();
+    width_ = image.width, height_ = image.height;
+    const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     const auto value = [&](std::size_t i, std::size_t channel) {
         const float v = clean(values[i * channels + channel]);
-        return encoded ? linear_of_srgb(v) : v;
+        return image.encoded ? linear_of_srgb(v) : v;
     };
     pixels_.resize(count);
     for (std::size_t i = 0; i < count; ++i)

@@ -5,6 +5,7 @@
 
 #include "csg/compile.hpp"
 #include "formats/openscad/openscad_format.hpp"
+#include "photon/lighting/photon_lighting.hpp"
 #include "rt_core/plugin/registry.hpp"
 #include "rt_core/render/lighting/path_lighting.hpp"
 #include "shaders/builtins.hpp"
@@ -17,6 +18,7 @@ const Registry& hooks() {
         for (const ShaderKind& kind : shaders::builtin_shaders()) made->add(kind);
         for (const LightKind& kind : shaders::builtin_lights()) made->add(kind);
         made->add(path_lighting);
+        made->add(photon::photon_lighting);
         return made;
     }();
     return *registry;
@@ -49,10 +51,10 @@ Scene sample_scene(const std::string& file, const std::vector<std::pair<std::str
 CommittedScene commit(const Scene& scene) { return {scene, hooks(), csg::compile, {.studio = false}}; }
 
 std::unique_ptr<LightingModule> prepared_lighting(const std::string& module, const World& world, std::uint32_t seed,
-                                                  const Eye* eye) {
+                                                  const Eye* eye, const Params& options) {
     for (const LightingKind& kind : hooks().lighting())
         if (kind.name == module) {
-            std::unique_ptr<LightingModule> made = kind.make(Params("test"), seed);
+            std::unique_ptr<LightingModule> made = kind.make(options, seed);
             Progress silent;
             made->prepare(world, eye, silent);
             return made;

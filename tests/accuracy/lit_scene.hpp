@@ -23,6 +23,6 @@ CommittedScene commit(const Scene& scene);
 
 /// A lighting module by name, prepared for the scene. Throws Error(usage) where there is none of that name.
 std::unique_ptr<LightingModule> prepared_lighting(const std::string& module, const World& world, std::uint32_t seed,
-                                                  const Eye* eye = nullptr);
+                                                  const Eye* eye = nullptr, const Params& options = {});
 
 }  // namespace cardioid::test

@@ -11,29 +11,34 @@ namespace {
 
 struct Trial {
     std::string module;
-    KnownValue known;
+    Setting setting;
 };
 
 std::string name_of(const testing::TestParamInfo<Trial>& info) {
-    return info.param.module + "_" + plain_name(info.param.known.title()) + "_" + std::to_string(info.index);
+    const KnownValue& first = info.param.setting.front();
+    return info.param.module + "_" + plain_name(first.title()) + "_" + std::to_string(info.index);
 }
 
 std::vector<Trial> trials() {
     std::vector<Trial> all;
-    for (const std::string module : {"path"})
-        for (const KnownValue& known : known_values(module, true)) all.push_back({module, known});
+    for (const std::string module : {"path", "photon"})
+        for (const Setting& setting : known_settings(module, Run::whole)) all.push_back({module, setting});
     return all;
 }
 
 class EveryKnownValue : public testing::TestWithParam<Trial> {};
 
 TEST_P(EveryKnownValue, IsWithinItsTolerance) {
-    const KnownValue& known = GetParam().known;
-    const Verdict verdict = judge(known, GetParam().module);
-    EXPECT_TRUE(verdict.sure) << known.title() << ": standard error " << verdict.standard_error;
-    EXPECT_TRUE(verdict.right) << known.title() << ": found " << verdict.found.value << ", wanted " << known.expected
-                               << ", error " << verdict.error << " +- " << verdict.standard_error;
-    EXPECT_EQ(verdict.found.bad_samples, 0U);
+    const Setting& setting = GetParam().setting;
+    const std::vector<Verdict> verdicts = judge(setting, GetParam().module);
+    for (std::size_t i = 0; i < setting.size(); ++i) {
+        SCOPED_TRACE(setting[i].title());
+        const Verdict& verdict = verdicts[i];
+        EXPECT_TRUE(verdict.sure) << "standard error " << verdict.standard_error;
+        EXPECT_TRUE(verdict.right) << "found " << verdict.found.value << ", wanted " << setting[i].expected
+                                   << ", error " << verdict.error << " +- " << verdict.standard_error;
+        EXPECT_EQ(verdict.found.bad_samples, 0U);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryKnownValue, testing::ValuesIn(trials()), name_of);

@@ -14,6 +14,10 @@ namespace {
 using Json = nlohmann::json;
 using Kind = Place::Kind;
 
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 Vec3d vector(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
 Place read_place(const Json& value, const std::string& what) {
@@ -39,6 +43,11 @@ Place read_place(const Json& value, const std::string& what) {
     return place;
 }
 
+std::map<std::string, double> read_tolerances(const Json& json) {
+    if (json.is_number()) return {{"", json.get<double>()}};
+    return json.get<std::map<std::string, double>>();
+}
+
 KnownValue read_value(const Json& group, const Json& value) {
     KnownValue read;
     read.section = group.at("section");
@@ -49,12 +58,13 @@ KnownValue read_value(const Json& group, const Json& value) {
     for (const auto& [from, to] : change.items()) read.change.emplace_back(from, to);
     read.place = read_place(value, group.at("what"));
     read.expected = value.at("expected");
-    read.tolerance = value.value("tolerance", group.at("tolerance").get<double>());
+    read.tolerances = read_tolerances(value.contains("tolerance") ? value.at("tolerance") : group.at("tolerance"));
     read.formula = value.at("formula");
     read.args = value.at("args").get<std::vector<double>>();
     read.times = value.value("times", 1.0);
     read.modules = value.value("modules", group.value("modules", std::vector<std::string>{}));
     read.heavy = value.value("long", false);
+    read.also = value.value("short", std::vector<std::string>{});
     return read;
 }
 
@@ -79,8 +89,19 @@ std::vector<KnownValue> read_table() {
 
 }  // namespace
 
-bool KnownValue::applies_to(const std::string& module) const {
-    return modules.empty() || std::find(modules.begin(), modules.end(), module) != modules.end();
+bool KnownValue::applies_to(const std::string& module) const { return modules.empty() || has(modules, module); }
+
+bool KnownValue::in_short_run(const std::string& module) const {
+    return applies_to(module) && (module == "path" ? !heavy : has(also, module));
+}
+
+bool KnownValue::same_setting(const KnownValue& other) const {
+    return section == other.section && scene == other.scene && place.what == other.place.what && change == other.change;
+}
+
+double KnownValue::tolerance(const std::string& module) const {
+    const auto own = tolerances.find(module);
+    return own != tolerances.end() ? own->second : tolerances.at("");
 }
 
 std::string KnownValue::title() const { return fmt::format("{}: {}, {}", section, scene, name); }
@@ -90,11 +111,18 @@ const std::vector<KnownValue>& known_values() {
     return all;
 }
 
-std::vector<KnownValue> known_values(const std::string& module, bool all) {
-    std::vector<KnownValue> some;
-    for (const KnownValue& value : known_values())
-        if (value.applies_to(module) && (all || !value.heavy)) some.push_back(value);
-    return some;
+std::vector<Setting> known_settings(const std::string& module, Run run) {
+    std::vector<Setting> settings;
+    for (const KnownValue& value : known_values()) {
+        if (run == Run::quick ? !value.in_short_run(module) : !value.applies_to(module)) continue;
+        const auto same = std::find_if(settings.begin(), settings.end(),
+                                       [&](const Setting& setting) { return setting.front().same_setting(value); });
+        if (same == settings.end())
+            settings.push_back({value});
+        else
+            same->push_back(value);
+    }
+    return settings;
 }
 
 std::string plain_name(const std::string& title) {

@@ -8,12 +8,13 @@ struct Verdict {
     Measured found;
     double error = 0;           ///< found against expected, relative; the difference where 0 is expected
     double standard_error = 0;  ///< in the same terms
-    bool sure = false;          ///< 3 standard errors are less than a third of the tolerance
-    bool right = false;         ///< |error| <= tolerance + 3 standard errors
+    bool sure = false;          ///< 3 standard errors are less than the tolerance
+    bool right = false;         ///< |error| <= tolerance
     [[nodiscard]] bool good() const { return sure && right; }
 };
 
-/// Measures until it is sure, or has drawn as many samples as is reasonable.
-Verdict judge(const KnownValue& known, const std::string& module);
+/// Measures each value of a setting until it is sure, or has drawn as many samples as is reasonable. What a module
+/// takes to prepare is shared out evenly among them.
+std::vector<Verdict> judge(const Setting& setting, const std::string& module);
 
 }  // namespace cardioid::test

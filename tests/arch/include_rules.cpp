@@ -46,7 +46,7 @@ struct Library {
 const std::vector<Library>& libraries() {
     static const std::vector<Library> all{
         {"embree", {"rt_core/trace/embree.hpp"}},
-        {"OpenImageIO/", {"rt_core/image/", "shaders/"}},
+        {"OpenImageIO/", {"rt_core/image/openimageio_module.cpp"}},
         {"CGAL/", {"csg/"}},
         {"polyclipping/", {"csg/"}},
         {"CLI/", {"cli/"}},

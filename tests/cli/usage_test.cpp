@@ -126,7 +126,7 @@ TEST(Usage, HelpAndVersionGoToStandardOutputAndEndWithZero) {
     }
     const Outcome run = folder.call({"--version"});
     EXPECT_EQ(run.status, 0);
-    for (const char* const part : {"cardioid 0.", "Embree ", "OpenImageIO ", "CGAL ", "plug-in ABI 1."})
+    for (const char* const part : {"cardioid 0.", "Embree ", "OpenImageIO ", "CGAL ", "plug-in ABI "})
         EXPECT_NE(run.out.find(part), std::string::npos) << run.out;
 }
 

@@ -98,6 +98,15 @@ TEST_F(Compare, WritesAllFiguresAsJson) {
     EXPECT_EQ(json["checks"].size(), 2U);
 }
 
+TEST_F(Compare, LooksAtEachRegionItIsGiven) {
+    EXPECT_EQ(run({"a.exr", "b.exr", "--json", "out.json", "--region", "one=0,0,4,4", "--region=two=4,0,8,4"}).status,
+              1);
+    const auto json = nlohmann::json::parse(folder.read("out.json"));
+    ASSERT_EQ(json["regions"].size(), 2U);
+    EXPECT_EQ(json["regions"][1]["name"], "two");
+    EXPECT_EQ(run({"a.exr", "b.exr", "--region"}).status, 2);
+}
+
 TEST_F(Compare, WritesAPageThatNeedsNothingElse) {
     EXPECT_EQ(run({"a.exr", "b.exr", "--report", "out/page"}).status, 1);
     const std::string page = folder.read("out/page/index.html");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 
 #include "scratch_folder.hpp"
 
@@ -56,6 +57,38 @@ TEST(ImageFile, HoldsEveryLayerOfAnExrAsItIs) {
         ASSERT_TRUE(found) << layer.name;
         EXPECT_EQ(found->channels, layer.channels) << layer.name;
         EXPECT_EQ(found->pixels, layer.pixels) << layer.name;
+    }
+}
+
+/// Noise cannot be made smaller, even light can; 53 lines are blocks of 16 and a rest.
+TEST(ImageFile, HoldsEveryBlockOfALargerExr) {
+    const ScratchFolder folder;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> u(-1, 1);
+    for (const bool noise : {true, false}) {
+        Film film{37, 53, {{"", 3, {}}, {"a layer whose name is longer than 31 letters", 3, {}}, {"depth", 1, {}}}};
+        for (Layer& layer : film.layers)
+            for (int i = 0; i < 37 * 53 * layer.channels; ++i)
+                layer.pixels.push_back(noise ? std::exp(20 * u(random)) : 0.25F);
+        film.layers[0].pixels[5] = std::numeric_limits<float>::infinity();
+        for (const bool half : {false, true}) {
+            write_image(folder.file("a.exr"), film, {.half = half, .metadata = {}});
+            const Film back = read_image(folder.file("a.exr"));
+            ASSERT_EQ(back.layers.size(), 3U);
+            for (const Layer& layer : film.layers) {
+                const auto& found = back.layer(layer.name)->pixels;
+                ASSERT_EQ(found.size(), layer.pixels.size());
+                for (std::size_t i = 0; i < found.size(); ++i) {
+                    const float x = layer.pixels[i], step = half && layer.channels > 1 ? 0x1p-11F * x + 0x1p-25F : 0;
+                    if (step > 0 && x > 65504 && std::isfinite(x))
+                        EXPECT_EQ(found[i], 65504);
+                    else if (!std::isfinite(x))
+                        EXPECT_EQ(found[i], x);
+                    else
+                        EXPECT_NEAR(found[i], x, step);
+                }
+            }
+        }
     }
 }
 

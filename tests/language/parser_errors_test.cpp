@@ -64,8 +64,6 @@ TEST(ParserErrors, RefuseNodesOfLaterVersionsByNameAndPlace) {
         EXPECT_EQ(error_of("group() {\n\t" + std::string(name) + "() cube();\n}"),
                   "t.csg:2:2: " + std::string(name) + "() is not supported yet");
     EXPECT_TRUE(contains(error_of("import(file = \"a.step\");"), "t.csg:1:1: found \"a.step\", can import STL, "));
-    EXPECT_TRUE(contains(error_of("import(file = \"a.dxf\");"), "t.csg:1:1: ./a.dxf: cannot read it"));
-    EXPECT_TRUE(contains(error_of("linear_extrude(file = \"a.dxf\", height = 1) square();"), "a.dxf: cannot read it"));
 }
 
 TEST(ParserErrors, NameTheArgumentOfTheWrongType) {

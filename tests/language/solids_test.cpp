@@ -185,9 +185,22 @@ TEST(Solids, ImportReadsMeshesBesideTheSceneAndSharesThem) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(Solids, AMissingMeshIsAnErrorWithItsPlace) {
+TEST(Solids, AnImportThatIsMissingIsALoudWarning) {
+    for (const char* call : {"import(file = \"nowhere.stl\");", "import(file = \"nowhere.dxf\");",
+                             "linear_extrude(file = \"nowhere.dxf\", height = 1);", "surface(\"nowhere.dat\");"}) {
+        const Scene scene = read("cube(1);\nunion() {\n\t" + std::string(call) + "\n}");
+        EXPECT_EQ(tree_of(scene), "box") << call;
+        EXPECT_TRUE(contains(warnings_of(scene), "t.csg:3:2: ./nowhere.")) << call;
+        EXPECT_TRUE(contains(warnings_of(scene), "cannot read it: No such file or directory")) << call;
+        EXPECT_TRUE(contains(warnings_of(scene), "THE PICTURE IS WITHOUT IT")) << call;
+    }
+    // In a difference it is the minuend that is empty, as in OpenSCAD.
+    EXPECT_EQ(tree_of(read("cube(1); difference() { import(file = \"nowhere.stl\"); cube(1); }")), "box");
+}
+
+TEST(Solids, AMissingIncludedMeshIsAnErrorWithItsPlace) {
     try {
-        read("group() {\n\timport(file = \"nowhere.stl\");\n}");
+        read("group() {\n\tinclude_mesh(file = \"nowhere.stl\");\n}");
         FAIL() << "a hole must not be silent";
     } catch (const Error& e) {
         EXPECT_EQ(e.code(), ErrorCode::io);

@@ -82,7 +82,7 @@ std::optional<fs::path> evaluated(const fs::path& program, const std::string& ex
     if (!fs::exists(file)) {
         // Tests may run side by side: a file appears whole.
         const fs::path fresh = folder / fmt::format("{:016x}-{}{}", key, getpid(), extension);
-        const std::string line = fmt::format("timeout 60 openscad -o '{}' '{}' </dev/null >/dev/null 2>&1",
+        const std::string line = fmt::format("ulimit -t 120; openscad -o '{}' '{}' </dev/null >/dev/null 2>&1",
                                              fresh.string(), program.string());
         if (std::system(line.c_str()) != 0) std::ofstream(fresh, std::ios::trunc).flush();
         if (!fs::exists(fresh)) std::ofstream(fresh).flush();  // openscad's status is 0 even where it writes nothing

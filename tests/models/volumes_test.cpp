@@ -6,6 +6,7 @@
 #include <map>
 
 #include "csg/compile.hpp"
+#include "csg/exact/evaluate_mesh.hpp"
 #include "csg/measure.hpp"
 #include "csg/shapes/mesh_repair.hpp"
 #include "formats/mesh/mesh_file.hpp"
@@ -24,19 +25,23 @@ constexpr double good_share = 2e-3;                ///< standard error that is s
 constexpr double time_limit_s = 20;                ///< for one model
 
 /// Rows where OpenSCAD's figure is not the volume of the model, and what is compared then.
-enum class Trouble { absolute, without_reference, refused };
+enum class Trouble { absolute, without_reference, refused, thin };
 struct KnownTrouble {
     const char* name;
     Trouble trouble;
     const char* reason;
 };
 constexpr std::array known_troubles{
-    KnownTrouble{"testdata/scad__3D__features__import_stl-tests.csg", Trouble::refused,
-                 "imports a file that is not there, which OpenSCAD passes over and we refuse"},
     KnownTrouble{"testdata/scad__3D__features__polyhedron-tests.csg", Trouble::without_reference,
                  "OpenSCAD found open meshes and left them out"},
     KnownTrouble{"testdata/scad__3D__features__primitive-inf-tests.csg", Trouble::without_reference,
                  "OpenSCAD takes the inf it wrote for an unknown variable"},
+    KnownTrouble{
+        "testdata/scad__3D__issues__issue1089.csg", Trouble::thin,
+        "a hull 7e-8 of its size thick, where rays take faces of six digits within 1e-6 for one: the volume of "
+        "its exact mesh is compared"},
+    KnownTrouble{"testdata/scad__3D__issues__issue1137.csg", Trouble::refused,
+                 "a face of its polyhedron is a bow tie, so four edges are open; OpenSCAD refuses the sum as well"},
     KnownTrouble{"testdata/scad__3D__issues__issue964b.csg", Trouble::without_reference,
                  "its faces are bent, and the triangles they are cut into run through each other"},
     KnownTrouble{"testdata/scad__3D__issues__polygon-illegal-winding.csg", Trouble::absolute,
@@ -78,6 +83,17 @@ Measured measure(const Scene& scene) {
     }
 }
 
+/// The volume of the exact mesh.
+double mesh_volume(const Scene& scene) {
+    double sum = 0;
+    for (const std::uint32_t root : scene.solids.roots) {
+        TriangleMesh mesh = csg::evaluate_mesh(scene.solids, root, 0);
+        EXPECT_TRUE(csg::weld(mesh).closed());
+        sum += csg::volume(mesh);
+    }
+    return sum;
+}
+
 /// The table was made where other fonts are installed.
 bool depends_on_fonts(const VolumeRow& row) {
     const auto csg = evaluated(row.program(), ".csg");
@@ -105,6 +121,11 @@ void compare(const VolumeRow& row, const Scene& scene, Tally& tally) {
     }
     const double reference = depends_on_fonts(row) ? local_volume(row) : *row.volume;
     const double theirs = trouble ? std::abs(reference) : reference;
+    if (trouble && trouble->trouble == Trouble::thin) {
+        EXPECT_LE(std::abs(mesh_volume(scene) - theirs), 2e-6 * theirs) << row.name;
+        EXPECT_EQ(volume, 0) << row.name;  // and never the volume of what lies behind it
+        return;
+    }
     EXPECT_LE(std::abs(volume - theirs), 4 * sigma + 2e-6 * theirs)
         << row.name << ": " << volume << " +- " << sigma << ", OpenSCAD has " << theirs;
     const double z = sigma > 0 ? (volume - theirs) / sigma : 0;

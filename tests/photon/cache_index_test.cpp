@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "photon/cache/cache_guess.hpp"
 #include "photon/cache/neighbour_tree.hpp"
 
 namespace cardioid::photon {
@@ -53,6 +54,53 @@ TEST(CacheIndex, FindsWhatBruteForceFinds) {
         }
         EXPECT_EQ(found > 0, count > 0);
     }
+}
+
+TEST(BallGroup, GivesTheSameBitsOnEveryProcessor) {
+    const std::vector<Reach> balls = random_balls(800, 3);
+    std::mt19937 bits(4);
+    std::uniform_real_distribution<float> u(0, 1);
+    unsigned found = 0;
+    for (std::size_t first = 0; first < balls.size(); first += BallGroup::lanes) {
+        BallGroup group{};
+        for (std::size_t i = 0; i < BallGroup::lanes; ++i) {
+            const Reach& ball = balls[first + i];
+            group.x[i] = ball.p.x, group.y[i] = ball.p.y, group.z[i] = ball.p.z;
+            group.nx[i] = ball.n.x, group.ny[i] = ball.n.y, group.nz[i] = ball.n.z;
+            group.per_radius[i] = 1 / (20 * ball.radius);
+        }
+        const BallQuery query{{u(bits), u(bits), u(bits)}, balls[first].n, 0.5F};
+        float plain[BallGroup::lanes], quick[BallGroup::lanes];
+        const unsigned within = scan_balls_plain(group, query, plain);
+        EXPECT_EQ(quickest_scan_balls()(group, query, quick), within);
+        for (std::size_t i = 0; i < BallGroup::lanes; ++i) EXPECT_EQ(plain[i], quick[i]);
+        found += within != 0;
+    }
+    EXPECT_GT(found, 10U);
+}
+
+TEST(CacheGuess, IsThatOfItsRecord) {
+    std::mt19937 bits(6);
+    std::uniform_real_distribution<float> u(-1, 1);
+    const auto vector = [&] { return Vec3{u(bits), u(bits), u(bits)}; };
+    unsigned clamped = 0;
+    for (int i = 0; i < 100; ++i) {
+        CacheRecord record;
+        record.n = normalize(vector());
+        record.E = {1 + u(bits), 1 + u(bits), 1 + u(bits)};
+        record.rotational = {vector(), vector(), vector()};
+        record.translational = {vector(), vector(), vector()};
+        const Vec3 step = vector(), n = normalize(vector());
+        const Rgb wanted = record.guess(step, n);
+        GuessSum sum;
+        sum.add(CacheGuess(record), step, n, 3);
+        const Rgb got = sum.mean();
+        EXPECT_NEAR(got.r, wanted.r, 1e-6);
+        EXPECT_NEAR(got.g, wanted.g, 1e-6);
+        EXPECT_NEAR(got.b, wanted.b, 1e-6);
+        clamped += wanted.r == 0;
+    }
+    EXPECT_GT(clamped, 0U);
 }
 
 TEST(NeighbourTree, FindsEveryBallThatOverlaps) {

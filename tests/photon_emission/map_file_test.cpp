@@ -92,7 +92,7 @@ TEST_F(MapFile, OfOtherOptionsIsRefusedWithTheOneThatDiffers) {
         FAIL() << "other options were taken";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::bad_input);
-        EXPECT_NE(std::string(error.what()).find("made with edge = hull, this is edge = none"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("made with edge = probe, this is edge = none"), std::string::npos);
     }
     // What only rendering reads may change.
     photon::PhotonOptions later;

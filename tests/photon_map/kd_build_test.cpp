@@ -1,4 +1,4 @@
-#include "photon/map/kd_build.hpp"
+#include "photon/map/tree/kd_build.hpp"
 
 #include <cmath>
 #include <cstring>

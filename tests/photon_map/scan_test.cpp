@@ -1,4 +1,4 @@
-#include "photon/map/scan.hpp"
+#include "photon/map/tree/scan.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -14,6 +14,7 @@ struct Entry {
     double beyond = 0, bias = 0, flip = 0;
     int silhouette = -1;              ///< pixels by which outlines differ, -1: not looked at
     std::vector<std::string> caught;  ///< mistakes that were found
+    std::string size;                 ///< of the pictures that were timed
     double our_s = 0, povray_s = 0;   ///< user processor time of the whole run
     double our_render_s = 0;          ///< of it, of the rendering alone
 };

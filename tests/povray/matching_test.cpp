@@ -1,6 +1,7 @@
 /// What is there for comparing alone: --lighting whitted, grid, straight_shadows, pov_finish; against figures by hand.
 #include <gtest/gtest.h>
 
+#include "cli/commands/lighting_choice.hpp"
 #include "rt_core/render/lighting/whitted_lighting.hpp"
 #include "tests/povray/twin.hpp"
 #include "tests/render/scene_kit.hpp"
@@ -92,6 +93,22 @@ TEST(StraightShadows, TakeWhatTheGlassAbsorbs) {
     EXPECT_EQ(under(0.3, 0), 0);
     EXPECT_NEAR(under(0, 1), 0.5 / std::numbers::pi * 10 / 64, 1e-6);
     EXPECT_NEAR(under(0.3, 1) / under(0, 1), std::exp(-0.6), 1e-5);
+}
+
+/// Photons bring bent light to where straight shadows would let it through as well.
+TEST(StraightShadows, EndWhereBentLightIsFollowed) {
+    for (const LightingKind& kind : registry().lighting()) {
+        Scene scene;
+        scene.materials.push_back({"glass", "dielectric", Params("a.csg:1")});
+        scene.materials[0].params.set("straight_shadows",
+                                      ParamValue{.kind = ParamValue::Kind::boolean, .boolean = true});
+        cli::LightingChoice choice{.kind = &kind};
+        cli::end_straight_shadows(scene, choice);
+        const std::string_view name = kind.name;
+        const bool follows = name == "photon" || name == "path";
+        EXPECT_EQ(scene.materials[0].params.boolean("straight_shadows", false), !follows) << name;
+        EXPECT_EQ(choice.warnings.size(), follows ? 1U : 0U) << name;
+    }
 }
 
 SurfacePoint facing_up() {

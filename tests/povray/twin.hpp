@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rt_core/api/format.hpp"
 #include "rt_core/api/registry.hpp"
 #include "rt_core/image/compare/picture.hpp"
 #include "rt_core/scene/scene.hpp"
@@ -34,8 +35,11 @@ public:
         const nlohmann::json& scene = json_.at("scene");
         return {scene.value("lighting", "whitted"), scene.value("samples", 1)};
     }
-    /// Whether POV-Ray is to use photons and radiosity.
-    [[nodiscard]] bool photons() const { return json_.at("scene").value("photons", false); }
+    /// How it is written for POV-Ray: with photons and radiosity, lamps as one light.
+    [[nodiscard]] WriteOptions writing() const {
+        const nlohmann::json& scene = json_.at("scene");
+        return {.photons = scene.value("photons", false), .light_arrays = scene.value("area", false)};
+    }
     /// An example of OpenSCAD that the .csg file lights and looks at; "" for none.
     [[nodiscard]] std::string model() const { return json_.at("scene").value("model", ""); }
     /// Whether all it needs is installed.

@@ -131,7 +131,9 @@ TEST(PovWriter, WritesALampAsPointsOrAsOne) {
     EXPECT_EQ(count(write(lamp).text), 9U);
     const std::string one = write(lamp, {.light_arrays = true, .light_grid = 5}).text;
     EXPECT_EQ(count(one), 1U);
-    EXPECT_THAT(one, HasSubstr("area_light <8, 0, 0>, <0, 8, 0>, 5, 5 area_illumination on"));
+    EXPECT_THAT(one, HasSubstr("3, 3 area_illumination on"));
+    EXPECT_THAT(write("area_light([10, 10]);", {.light_arrays = true, .light_grid = 5}).text,
+                HasSubstr("area_light <8, 0, 0>, <0, 8, 0>, 5, 5 area_illumination on"));
 }
 
 }  // namespace

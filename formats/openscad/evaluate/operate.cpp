@@ -67,9 +67,7 @@ private:
 
     void minkowski() {
         if (nodes_.size() == 1) return keep(Affine{});
-        const ResultMark mark = results_.mark();
         for (TriangleMesh& mesh : csg::minkowski(tree(), nodes_, tolerance_)) add_mesh(std::move(mesh));
-        results_.join(mark);
     }
 
     void resize() {

@@ -32,8 +32,9 @@ std::optional<Plane> read_figure(const std::string& name, const FigureOptions& o
     try {
         const std::string text = read_bytes(path);
         drawing = lower_extension(name) == ".svg" ? read_svg(text, path, options) : read_dxf(text, path, options);
-    } catch (const Error& e) {  // the reader's message names the drawing; say who wanted it
-        throw Error(e.code(), args.where() + ": " + e.what());
+    } catch (const Error& e) {
+        pass_over(e, args, context);
+        return std::nullopt;
     }
     for (const std::string& warning : drawing.warnings) context.warnings.add(args.where(), warning);
     std::vector<Plane> parts;
@@ -48,6 +49,11 @@ std::optional<Plane> read_figure(const std::string& name, const FigureOptions& o
 }
 
 }  // namespace
+
+void pass_over(const Error& error, const Arguments& args, ShapeContext& context) {
+    if (error.code() != ErrorCode::io) throw Error(error.code(), args.where() + ": " + error.what());
+    context.warnings.add(args.where(), std::string(error.what()) + ": THE PICTURE IS WITHOUT IT");
+}
 
 std::string path_of(const std::string& name, const ShapeContext& context) {
     const std::filesystem::path given(name);

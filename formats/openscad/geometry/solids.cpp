@@ -127,7 +127,8 @@ std::optional<Shape> half_space(const Arguments& args, ShapeContext& context) {
     return Shape{LeafKind::half_space, local};
 }
 
-std::optional<Shape> mesh_file(const Arguments& args, ShapeContext& context) {
+/// import() and include_mesh(); a file that is not there is an error of the latter, which OpenSCAD does not have.
+std::optional<Shape> mesh_file(Node node, const Arguments& args, ShapeContext& context) {
     const std::string name = args.text(args.has("file") ? "file" : "filename");
     if (name.empty()) return removed(args, context, "found no file name, wanted import(file = \"model.stl\")");
     const std::string type = lower_extension(name);
@@ -140,8 +141,10 @@ std::optional<Shape> mesh_file(const Arguments& args, ShapeContext& context) {
     TriangleMesh mesh;
     try {
         mesh = read_mesh(path);
-    } catch (const Error& e) {  // the reader's message names the mesh; say who wanted it
-        throw Error(e.code(), args.where() + ": " + e.what());
+    } catch (const Error& e) {
+        if (node == Node::include_mesh) throw Error(e.code(), args.where() + ": " + e.what());
+        pass_over(e, args, context);
+        return std::nullopt;
     }
     auto out = make_mesh(std::move(mesh), args.where(), context);
     if (out) context.mesh_files.emplace(path, out->data);
@@ -200,7 +203,7 @@ std::optional<Shape> make_solid(Node node, const Arguments& args, ShapeContext& 
             return half_space(args, context);
         case Node::import_file:
         case Node::include_mesh:
-            return mesh_file(args, context);
+            return mesh_file(node, args, context);
         case Node::surface:
             return make_surface(args, context);
         default:

@@ -43,7 +43,7 @@ inline constexpr std::size_t most_profile_edges = 64;
 std::size_t edge_count(const Profile& profile);
 
 /// The shape of a solid's call; nothing, and a warning, where it is empty. Throws Error(bad_input) for arguments of a
-/// wrong type, Error(io) for a mesh file that is missing.
+/// wrong type, Error(io) for an include_mesh() that is missing; of an import() that is a warning.
 std::optional<Shape> make_solid(Node node, const Arguments& arguments, ShapeContext& context);
 
 /// A mesh made sound, as a leaf; a warning where it has holes. Nothing where it has no triangles.

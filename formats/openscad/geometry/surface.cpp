@@ -15,6 +15,7 @@ namespace {
 struct HeightMap {
     std::size_t columns = 0, rows = 0;
     std::vector<double> heights;
+    double floor = 0;  ///< 1 below what was given, at most 0: heights that were filled up do not lower it
     [[nodiscard]] double at(std::size_t x, std::size_t y) const { return heights[y * columns + x]; }
 };
 
@@ -35,7 +36,7 @@ HeightMap read_numbers(const std::string& path) {
     for (; !in.at_end(); in.skip_line()) {
         std::vector<double> row;
         for (std::string_view word = in.word_in_line(); !word.empty() && word[0] != '#'; word = in.word_in_line())
-            row.push_back(in.number(word, "a height"));
+            out.floor = std::min(out.floor, row.emplace_back(in.number(word, "a height")) - 1);
         if (row.empty()) continue;
         out.columns = std::max(out.columns, row.size());
         rows.push_back(std::move(row));
@@ -65,7 +66,9 @@ HeightMap read_picture(const std::string& path, bool invert) {
             double brightness = 0;
             for (std::size_t c = 0; c < 3; ++c) brightness += share[c] * double(pixel[channels < 3 ? 0 : c]);
             // OpenSCAD 2021.01 inverts about one step of 255, not about white.
-            out.heights[y * out.columns + x] = 100 * (invert ? 1.0 / 255 - brightness : brightness);
+            const double height = 100 * (invert ? 1.0 / 255 - brightness : brightness);
+            out.heights[y * out.columns + x] = height;
+            out.floor = std::min(out.floor, height - 1);
         }
     return out;
 }
@@ -75,7 +78,6 @@ class Relief {
 public:
     Relief(const HeightMap& map, bool centre) : map_(map) {
         if (centre) middle_ = {static_cast<double>(map.columns - 1) / -2, static_cast<double>(map.rows - 1) / -2};
-        for (const double z : map.heights) floor_ = std::min(floor_, z - 1);
     }
 
     TriangleMesh make() {
@@ -86,7 +88,7 @@ public:
             for (std::size_t x = 0; x + 1 < n; ++x) cell(x, y);
         for (std::size_t x = 0; x + 1 < n; ++x) wall(x, 0, x + 1, 0), wall(x + 1, m - 1, x, m - 1);
         for (std::size_t y = 0; y + 1 < m; ++y) wall(n - 1, y, n - 1, y + 1), wall(0, y + 1, 0, y);
-        const std::uint32_t last = add(double(n - 1) / 2, double(m - 1) / 2, floor_);
+        const std::uint32_t last = add(double(n - 1) / 2, double(m - 1) / 2, map_.floor);
         for (const auto& [a, b] : rim_) mesh_.triangles.push_back({last, b, a});
         return std::move(mesh_);
     }
@@ -109,7 +111,7 @@ private:
     /// A wall under the edge between two corners, seen from outside with the first on the left.
     void wall(std::size_t ax, std::size_t ay, std::size_t bx, std::size_t by) {
         const std::uint32_t a = corner(ax, ay), b = corner(bx, by);
-        const std::uint32_t c = add(double(ax), double(ay), floor_), d = add(double(bx), double(by), floor_);
+        const std::uint32_t c = add(double(ax), double(ay), map_.floor), d = add(double(bx), double(by), map_.floor);
         mesh_.triangles.push_back({a, c, d});
         mesh_.triangles.push_back({a, d, b});
         rim_.emplace_back(c, d);
@@ -117,7 +119,6 @@ private:
 
     const HeightMap& map_;
     Vec2d middle_;
-    double floor_ = 0;
     TriangleMesh mesh_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> rim_;
 };
@@ -134,8 +135,9 @@ std::optional<Shape> make_surface(const Arguments& args, ShapeContext& context) 
     try {
         const std::string path = path_of(name, context);
         map = lower_extension(name) == ".png" ? read_picture(path, args.boolean("invert", false)) : read_numbers(path);
-    } catch (const Error& e) {  // the reader's message names the file; say who wanted it
-        throw Error(e.code(), args.where() + ": " + e.what());
+    } catch (const Error& e) {
+        pass_over(e, args, context);
+        return std::nullopt;
     }
     if (map.columns < 2 || map.rows < 2) {
         context.warnings.add(args.where(), "surface() has fewer than two rows or columns: removed");

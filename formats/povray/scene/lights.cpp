@@ -135,7 +135,8 @@ private:
     /// POV-Ray's grid reaches from edge to edge of its axes; shortened so, each point has an equal part around it.
     void array(Rgb intensity, Vec3d x, Vec3d y) {
         note("as one area_light of POV-Ray its half shadows are some percent too dark");
-        const int grid = std::max(2, options_.light_grid);
+        const int own = static_cast<int>(params_.number("grid", 0));
+        const int grid = std::max(2, own > 0 ? own : options_.light_grid);
         const double inside = (grid - 1.0) / grid * space_.scale;
         lambert({m_.t, front()}, intensity,
                 fmt::format("area_light {}, {}, {}, {} area_illumination on ", sdl(x * inside), sdl(y * inside), grid,

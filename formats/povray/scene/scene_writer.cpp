@@ -20,7 +20,7 @@ constexpr double least_diagonal = 100, most_diagonal = 1e4;
 /// whitted.
 constexpr int trace_levels = 33;
 constexpr const char* least_share = "1e-6";
-constexpr double default_photons = 200'000;
+constexpr double default_photons = 1e6;
 /// POV-Ray's aperture in radii of the lens that blurs alike, as measured.
 constexpr double apertures = 4;
 
@@ -79,8 +79,8 @@ private:
             const double count =
                 scene_.photons.has("count") ? scene_.photons.number("count", default_photons) : default_photons;
             more = fmt::format(
-                "  radiosity {{ count 200 error_bound 0.5 nearest_count 10 recursion_limit 5 pretrace_end 0.02 }}\n"
-                "  photons {{ count {} autostop 0 gather 20, 100 }}\n",
+                "  radiosity {{ count 200 error_bound 0.5 nearest_count 10 recursion_limit 20 pretrace_end 0.02 }}\n"
+                "  photons {{ count {} autostop 0 gather 20, 40 }}\n",
                 sdl(count));
         }
         return fmt::format(

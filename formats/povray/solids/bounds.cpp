@@ -1,5 +1,7 @@
 #include "formats/povray/solids/bounds.hpp"
 
+#include "csg/leaves/forms.hpp"
+
 namespace cardioid::formats::povray {
 
 namespace {
@@ -62,6 +64,8 @@ Box3d local_box(const Leaf& leaf, const SolidTree& solids) {
             for (const Vec3d& p : solids.meshes[leaf.data]->vertices) box.include(p);
             return box;
         }
+        case LeafKind::form:
+            return csg::form_box(solids.forms[leaf.data]);
     }
     return {};
 }

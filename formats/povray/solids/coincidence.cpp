@@ -57,6 +57,7 @@ public:
                 triangles(leaf);
                 break;
             case LeafKind::torus:
+            case LeafKind::form:
                 break;
         }
     }

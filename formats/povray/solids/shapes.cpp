@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "csg/exact/tessellate.hpp"
 #include "formats/povray/scene/sdl.hpp"
 
 namespace cardioid::formats::povray {
@@ -10,6 +11,8 @@ namespace {
 
 /// Six digits of a rotation in the file leave axes this far from square.
 constexpr double square = 1e-9;
+/// Chords of shapes that POV-Ray has no word for stay within this share of their size.
+constexpr double mesh_share = 1e-3;
 /// Rays from inside a mesh go along this to tell that they are: no edge of a model is likely to lie on it.
 constexpr const char* inside_vector = "<0.5377, 0.2143, 0.8155>";
 
@@ -149,6 +152,10 @@ std::string shape(const Leaf& given, const SolidTree& solids, double scale, cons
             return revolution(*solids.profiles[leaf.data], m);
         case LeafKind::mesh:
             return mesh(*solids.meshes[leaf.data], m);
+        case LeafKind::form: {
+            const double size = csg::tight_bounds(solids, leaf).diagonal();
+            return mesh(csg::tessellate(solids, leaf, mesh_share * size), Affine::scaling({scale, scale, scale}));
+        }
     }
     return "";
 }

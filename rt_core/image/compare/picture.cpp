@@ -1,6 +1,5 @@
 #include "rt_core/image/compare/picture.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -12,17 +11,6 @@ namespace cardioid {
 
 namespace {
 
-/// Whole numbers are what a display is given, unless the file says that they are linear.
-bool is_encoded(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) throw Error(ErrorCode::io, fmt::format("{}: cannot read: {}", path, OIIO::geterror()));
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.format.is_floating_point()) return false;
-    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    const bool linear = OIIO::Strutil::iequals(space, "linear") || spec.get_float_attribute("oiio:Gamma", 0) == 1;
-    return !linear;
-}
-
 /// The picture among the layers: the one without a name, else the first (a file of one layer may name it).
 std::size_t picture_layer(const Film& film) {
     for (std::size_t i = 0; i < film.layers.size(); ++i)
@@ -33,8 +21,8 @@ std::size_t picture_layer(const Film& film) {
 }  // namespace
 
 Picture read_picture(const std::string& path) {
-    const bool encoded = is_encoded(path);
-    Film film = read_image(path);
+    bool encoded = false;
+    Film film = read_image(path, nullptr, &encoded);
     Picture out{path, film.width, film.height, 0, encoded, {}, {}, {}};
     if (film.layers.empty()) throw Error(ErrorCode::bad_input, path + ": found no channels, wanted a picture");
     const auto at = film.layers.begin() + static_cast<std::ptrdiff_t>(picture_layer(film));

@@ -6,7 +6,6 @@ namespace cardioid {
 
 namespace {
 
-constexpr Medium vacuum{};
 /// Beyond so many transparent solids their boxes are taken to overlap rather than compared pair by pair.
 constexpr std::size_t most_compared = 2000;
 
@@ -14,8 +13,6 @@ constexpr std::size_t most_compared = 2000;
 void fill(const Medium*& place, const Medium* other) {
     if (other && (!place || other->priority > place->priority)) place = other;
 }
-
-const Medium* or_vacuum(const Medium* m) { return m ? m : &vacuum; }
 
 bool same_to_light(const Medium& a, const Medium& b) { return a.ior == b.ior && a.absorption == b.absorption; }
 
@@ -59,8 +56,7 @@ const Medium* Media::at(Vec3d p) const noexcept {
     return or_vacuum(found);
 }
 
-Interface Media::around(Vec3d p, const Hit& hit) const noexcept {
-    if (all_vacuum_) return {&vacuum, &vacuum};
+Interface Media::resolve(Vec3d p, const Hit& hit) const noexcept {
     const Medium *front = nullptr, *back = nullptr;
     const Vec3d n(hit.ng);
     for (const Solid& solid : solids_) {

@@ -23,7 +23,9 @@ public:
 
     [[nodiscard]] const Medium* at(Vec3d p) const noexcept;
     /// Around the point p of the surface that `hit` found.
-    [[nodiscard]] Interface around(Vec3d p, const Hit& hit) const noexcept;
+    [[nodiscard]] Interface around(Vec3d p, const Hit& hit) const noexcept {
+        return all_vacuum_ ? Interface{&vacuum, &vacuum} : resolve(p, hit);
+    }
     /// Whether the surface at p bounds nothing that light could see: the medium is the same on both sides.
     [[nodiscard]] bool hides(Vec3d p, const Hit& hit) const noexcept;
     /// False where no surface can be hidden, so that hides() need not be asked.
@@ -35,6 +37,9 @@ private:
         std::uint32_t id;
         Box3d bounds;
     };
+    static constexpr Medium vacuum{};
+    [[nodiscard]] static const Medium* or_vacuum(const Medium* m) noexcept { return m ? m : &vacuum; }
+    [[nodiscard]] Interface resolve(Vec3d p, const Hit& hit) const noexcept;
     [[nodiscard]] const Medium* interior(const Solid& solid, Vec3d p) const noexcept;
 
     const Tracer& tracer_;

@@ -62,6 +62,10 @@ void add_solids(Hasher& hash, const SolidTree& solids) {
     }
     for (const auto& profile : solids.profiles) hash.add(*profile);
     for (const auto& mesh : solids.meshes) hash.add(*mesh);
+    for (const Form& form : solids.forms) {
+        hash.add(static_cast<std::uint64_t>(form.kind));
+        for (const double x : form.numbers) hash.add(x);
+    }
 }
 
 std::size_t edges(const Profile& profile) {
@@ -110,6 +114,9 @@ std::size_t face_count(const SolidTree& solids) {
                 break;
             case LeafKind::mesh:
                 n += solids.meshes[leaf.data]->triangles.size();
+                break;
+            case LeafKind::form:
+                n += 2;
                 break;
         }
     return n;

@@ -1,12 +1,13 @@
 #include "rt_core/render/lighting/direct_lighting.hpp"
 
+#include "rt_core/render/lighting/roulette.hpp"
+
 namespace cardioid {
 
 namespace {
 
-/// Bounces after which Russian roulette begins, the best chance to live then, and where a path ends in any case.
+/// Bounces after which Russian roulette begins, and where a path ends in any case.
 constexpr int sure_bounces = 3, most_bounces = 10'000;
-constexpr float best_chance = 0.95F;
 
 const Medium* beyond(const SurfacePoint& point, Vec3 wi) { return dot(point.ng, wi) > 0 ? point.front : point.back; }
 
@@ -71,7 +72,7 @@ public:
 private:
     static bool survives(int bounce, Rgb& throughput, Sampler& sampler) noexcept {
         if (bounce < sure_bounces) return true;
-        const float chance = std::min(best_chance, max_component(throughput));
+        const float chance = std::min(best_chance(bounce), max_component(throughput));
         throughput *= 1 / chance;
         return sampler.next() < chance;
     }

@@ -1,5 +1,8 @@
 #include "rt_core/render/lighting/light_path.hpp"
 
+#include <limits>
+
+#include "rt_core/render/lighting/roulette.hpp"
 #include "rt_core/render/ray_counts.hpp"
 
 namespace cardioid {
@@ -9,9 +12,9 @@ namespace {
 /// A path goes on for sure while it carries at least the inverse of this. Measured on the Cornell box: error^2 times
 /// time is the same within a few per cent from 1.5 to 4, at 1 half as much again.
 constexpr float patience = 1.5F;
-/// From so many surfaces on a path that loses nothing, as in glass or between white walls, may end by roulette too.
-constexpr int sure_steps = 16;
-constexpr float best_chance = 0.95F;
+/// What mirrors and media on the way to the first point of finite lobes have taken does not count, for it is taken from
+/// the whole pixel: without dice a view through dark glass has no noise. What is darker than this counts.
+constexpr float least_first = 1e-3F;
 
 }  // namespace
 
@@ -129,8 +132,8 @@ void LightPath::ask_light(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo_l
 }
 
 bool LightPath::survives() noexcept {
-    const float carried = max_component(throughput_) * squeeze_ * patience;
-    const float chance = std::min(carried, steps_ > sure_steps ? best_chance : 1);
+    const float carried = max_component(throughput_) * squeeze_ * per_first_ * patience;
+    const float chance = std::min(carried, best_chance(steps_));
     if (chance >= 1) return true;
     // A pair of numbers serves two bounces.
     if (!has_spare_) spare_ = sampler_.next2();
@@ -147,6 +150,7 @@ bool LightPath::bounce(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo_loca
     if (is_black(s.weight)) return false;
     const bool delta = s.is_delta();
     if (!delta && !(s.pdf > 0)) return false;
+    const Rgb arrived = throughput_;
     throughput_ *= s.weight;
     if (!is_finite(throughput_) || min_component(throughput_) < 0) {
         add(throughput_);  // for the renderer to see and to count
@@ -159,12 +163,16 @@ bool LightPath::bounce(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo_loca
         squeeze_ *= ratio * ratio;
         medium_ = next;
     }
+    if (!asked_bsdf_) per_first_ = 1 / std::max(max_component(delta ? throughput_ : arrived) * squeeze_, least_first);
     if (!survives()) return false;
 
     const bool through = delta && s.wi == -wo_local;
-    const Vec3d d = through ? ray_.d : Vec3d(wi);
-    ray_ = point.ray(wi);
-    ray_.d = d;
+    // As point.ray(wi), part by part: copying a ray that has just been put together waits for its parts.
+    if (!through) ray_.d = Vec3d(wi);
+    ray_.o = point.p;
+    ray_.t_max = std::numeric_limits<double>::infinity();
+    ray_.from = point.id;
+    ray_.from_ng = point.ng;
     ++ray_counts.bounce;
     ++steps_;
     unbent_ = unbent_ && through;

@@ -53,10 +53,11 @@ private:
     Ray ray_;
     const Medium* medium_ = nullptr;
     Rgb throughput_{1};
-    float squeeze_ = 1;   ///< of radiance in denser media: (index here / index at the start)^2
-    int bounces_ = 0;     ///< surfaces on the way but filters
-    int steps_ = 0;       ///< surfaces on the way
-    bool unbent_ = true;  ///< straight from the eye
+    float squeeze_ = 1;    ///< of radiance in denser media: (index here / index at the start)^2
+    float per_first_ = 1;  ///< over what was carried to the first point of finite lobes
+    int bounces_ = 0;      ///< surfaces on the way but filters
+    int steps_ = 0;        ///< surfaces on the way
+    bool unbent_ = true;   ///< straight from the eye
     bool caustic_only_ = false;
     bool has_spare_ = false;
     Vec2 spare_;  ///< numbers for the roulette

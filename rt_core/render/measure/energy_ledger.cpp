@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "rt_core/api/parallel.hpp"
+#include "rt_core/render/lighting/roulette.hpp"
 
 namespace cardioid {
 
@@ -13,9 +14,8 @@ namespace {
 constexpr std::uint64_t pieces = 64;
 /// A path goes on for sure while it has this share of its flux; below, the roulette keeps it there.
 constexpr float sure_share = 0.05F;
-/// From so many surfaces on a path that loses nothing may end too; where it ends in any case.
-constexpr int sure_steps = 64, most_steps = 10'000;
-constexpr float best_chance = 0.95F;
+/// Surfaces after which a path ends in any case.
+constexpr int most_steps = 10'000;
 /// Materials that gain less than this share of what they receive are not worth a word.
 constexpr double worth_telling = 1e-4;
 constexpr double beyond_doubt = 5, power_tolerance = 0.01;
@@ -152,7 +152,7 @@ void Audit::follow(std::uint64_t path, Books& books) const noexcept {
         }
         books.absorb(point.material, flux_of(flux) - flux_of(left));
         const float share = max_component(left) / whole;
-        const float chance = std::min({1.0F, share / sure_share, step < sure_steps ? 1 : best_chance});
+        const float chance = std::min(share / sure_share, best_chance(step));
         const bool lives = step < most_steps && sampler.next() < chance;
         flux = lives ? left * (1 / chance) : Rgb{};
         books.cut_off += flux_of(left) - flux_of(flux);

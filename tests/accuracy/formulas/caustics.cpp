@@ -75,7 +75,8 @@ double ring_mirror(Arguments args) {
     return direct + sum / (rings * spokes) * 2 * (1 - std::cos(half)) / std::pow(std::sin(half), 2);
 }
 
-/// x, y: a source of intensity 1 on the ring at (-1, 0), 0.5 over the floor; each reflection keeps a half.
+/// x, y: a source of intensity 1 on the ring at (-1, 0), 0.5 over the floor; each reflection keeps a half. The half of
+/// its light that goes into the wall comes back at once, as if from a second source of half the intensity.
 double cardioid_curve(Arguments args) {
     constexpr double height = 0.5, kept = 0.5;
     constexpr int reflections = 24;
@@ -94,7 +95,7 @@ double cardioid_curve(Arguments args) {
                                  (std::pow(way * way + height * height, 1.5) * std::abs(k * chord - (2 * k + 1) * s));
                   });
     }
-    return sum;
+    return (1 + kept) * sum;
 }
 
 /// Index, distance of the floor from the ball's centre, radius q: mean irradiance of the disc of radius q.

@@ -1,0 +1,107 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace cardioid::formats::brlcad {
+
+/// A matrix of a database, by rows: x' = (M x) / (m12 x + m13 y + m14 z + m15).
+using Matrix = std::array<double, 16>;
+
+/// One step of a combination's tree in postfix order: a member, or what is done with what stands before it.
+struct Step {
+    enum class Op : std::uint8_t { member, unite, intersect, subtract, exclusive, complement };
+    Op op = Op::member;
+    std::string name{};              ///< of a member
+    std::optional<Matrix> matrix{};  ///< of a member; nothing: the identity
+};
+
+using Colour8 = std::array<std::uint8_t, 3>;
+
+struct Combination {
+    std::vector<Step> steps;  ///< postfix, checked to leave one value; empty: no members
+    bool region = false;
+    int region_id = 0, air_code = 0;
+    std::optional<Colour8> colour;
+    std::string shader;                                     ///< "plastic {sh 10}" or "plastic sh=10"; empty: none
+    bool standard_colour = false, standard_shader = false;  ///< from the key that wins: color, oshader
+    bool inherit = false;                                   ///< colour and shader win over those of lower combinations
+};
+
+/// Solids by BRL-CAD's names.
+enum class SolidKind : std::uint8_t {
+    tor,
+    tgc,
+    ell,
+    arb8,
+    half,
+    part,
+    rpc,
+    rhc,
+    epa,
+    ehy,
+    eto,
+    hyp,
+    superell,
+    pipe,
+    arbn,
+    bot,
+    unsupported
+};
+
+/// A primitive. `numbers` as in the binary format, lengths in mm; see solid_kinds.hpp for their order. A pipe has
+/// x y z, inner and outer diameter, bend radius a point; an arbn n and d a plane; a bot the corners.
+struct Solid {
+    SolidKind kind = SolidKind::unsupported;
+    std::vector<double> numbers;
+    std::vector<std::uint32_t> corners;  ///< of a bot's triangles
+    int mode = 2;                        ///< of a bot: 1 surface, 2 solid, 3 and 4 plates
+    int orientation = 1;                 ///< of a bot: 1 none, 2 counter-clockwise, 3 clockwise
+    std::vector<double> thickness;       ///< of a bot's triangles where it is a plate [mm]
+    std::string type;                    ///< BRL-CAD's name of the type, for messages
+};
+
+struct Object {
+    std::string name;
+    std::string place;  ///< "file:line:column" or "file:offset", for messages
+    std::optional<Combination> combination;
+    Solid solid;  ///< where it is no combination
+};
+
+/// Regions whose number lies in [low, high] have this colour where no combination says otherwise.
+struct ColourRange {
+    long low = 0, high = 0;
+    Colour8 colour{};
+};
+
+/// All that a database says, whichever form it was read from.
+struct Database {
+    std::string title;
+    double unit_mm = 1;  ///< the editor's unit; lengths are in mm whatever it is
+    std::vector<Object> objects;
+    std::unordered_map<std::string, std::size_t> index;  ///< of objects by name
+    std::vector<ColourRange> colours;
+    std::vector<std::string> warnings;
+
+    /// Adds an object; one of the same name is replaced.
+    void add(Object object);
+    [[nodiscard]] const Object* find(const std::string& name) const;
+};
+
+/// Sets what an attribute of a combination says: region, region_id, color, rgb, shader, oshader, inherit, aircode ...;
+/// others mean nothing to a picture.
+void set_attribute(Combination& combination, const std::string& key, const std::string& value);
+/// Sets an attribute of the whole database: title, units, regionid_colortable.
+void set_global(Database& database, const std::string& key, const std::string& value);
+
+/// Whether postfix steps leave exactly one value, and never take more than there are.
+bool well_formed(const std::vector<Step>& steps);
+
+/// mm in a unit of that name ("in", "ft", "m" ...) or a number as text; 1 for what is not known.
+double unit_mm(const std::string& unit);
+
+}  // namespace cardioid::formats::brlcad

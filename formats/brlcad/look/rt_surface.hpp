@@ -1,0 +1,31 @@
+#pragma once
+#include "rt_core/api/shader.hpp"
+
+namespace cardioid::formats::brlcad {
+
+/// A surface in the terms of BRL-CAD's rt (sh_plastic.c, sh_light.c). Colours are display values.
+struct RtFinish {
+    Rgb colour{1};
+    float shine = 10, specular = 0.7F, diffuse = 0.3F, transmit = 0, reflect = 0, index = 1;
+    bool flat = false;       ///< the colour as it is, without light: a texture
+    float light = 0;         ///< weight of the light this region is; 0 where it is none
+    bool shadows = true;     ///< of that light
+    float beam_cosine = -1;  ///< of that light: of the angle around straight down that it shines into
+    Vec3d place;             ///< of that light
+};
+
+class RtSurface final : public Shader {
+public:
+    explicit RtSurface(const RtFinish& finish) : finish_(finish) {}
+    [[nodiscard]] const RtFinish& finish() const noexcept { return finish_; }
+    /// Matt, for modules that know nothing of rt.
+    [[nodiscard]] const Bsdf* bsdf(const SurfacePoint&, BsdfMemory& memory) const noexcept override;
+
+private:
+    RtFinish finish_;
+};
+
+/// `rt_surface`, which the lighting `rt` draws.
+extern const ShaderKind rt_surface_kind;
+
+}  // namespace cardioid::formats::brlcad

@@ -1,0 +1,111 @@
+#include "formats/brlcad/read/byte_reader.hpp"
+#include "formats/brlcad/read/readers.hpp"
+#include "formats/brlcad/solid_kinds.hpp"
+
+namespace cardioid::formats::brlcad {
+
+namespace {
+
+constexpr int arbn_minor = 14, pipe_minor = 15, sphere_minor = 10, bot_minor = 30;
+
+void reals(ByteReader& in, std::uint64_t n, const char* what, std::vector<double>& out) {
+    if (n > in.left() / 8) in.fail(fmt::format("found {} bytes, wanted {} numbers of {}", in.left(), n, what));
+    out.reserve(out.size() + static_cast<std::size_t>(n));
+    for (std::uint64_t i = 0; i < n; ++i) out.push_back(in.real(what));
+}
+
+Solid pipe(ByteReader in) {
+    Solid out{.kind = SolidKind::pipe, .type = "pipe"};
+    const std::uint64_t points = in.whole(2, "a pipe's points");
+    if (points > in.left() / 48) in.fail(fmt::format("found {} bytes, wanted {} points of a pipe", in.left(), points));
+    reals(in, points * 6, "a pipe", out.numbers);
+    return out;
+}
+
+Solid arbn(ByteReader in) {
+    Solid out{.kind = SolidKind::arbn, .type = "arbn"};
+    const std::uint64_t planes = in.whole(2, "an arbn's planes");
+    if (planes > in.left() / 32) in.fail(fmt::format("found {} bytes, wanted {} planes", in.left(), planes));
+    reals(in, planes * 4, "an arbn", out.numbers);
+    return out;
+}
+
+Solid bot(ByteReader in) {
+    Solid out{.kind = SolidKind::bot, .type = "bot"};
+    const std::uint64_t vertices = in.whole(2, "a bot's corners"), faces = in.whole(2, "a bot's triangles");
+    out.orientation = static_cast<int>(in.whole(0, "a bot's orientation"));
+    out.mode = static_cast<int>(in.whole(0, "a bot's mode"));
+    static_cast<void>(in.whole(0, "a bot's flags"));
+    if (vertices > in.left() / 24) in.fail(fmt::format("found {} bytes, wanted {} corners", in.left(), vertices));
+    reals(in, vertices * 3, "a bot", out.numbers);
+    if (faces > in.left() / 12) in.fail(fmt::format("found {} bytes, wanted {} triangles", in.left(), faces));
+    for (std::uint64_t i = 0; i < faces * 3; ++i) {
+        const std::uint64_t corner = in.whole(2, "a bot's triangle");
+        if (corner >= vertices) in.fail(fmt::format("found corner {}, wanted one below {}", corner, vertices));
+        out.corners.push_back(static_cast<std::uint32_t>(corner));
+    }
+    if (out.mode == 3 || out.mode == 4) reals(in, faces, "a bot's thickness", out.thickness);
+    return out;
+}
+
+}  // namespace
+
+Solid read_body(int minor, std::string_view body, const std::string& file, std::size_t offset) {
+    ByteReader in(body, file, offset);
+    if (minor == pipe_minor) return pipe(in);
+    if (minor == arbn_minor) return arbn(in);
+    if (minor == bot_minor) return bot(in);
+    const SolidRow* row = find_row_by_minor(minor == sphere_minor ? 3 : minor);
+    if (!row) return {.type = minor_name(minor)};
+    Solid out{.kind = row->kind, .type = row->name};
+    reals(in, row->count(), row->name, out.numbers);
+    return out;
+}
+
+Combination read_combination(std::string_view body, const std::string& file, std::size_t offset) {
+    ByteReader in(body, file, offset);
+    const auto width = static_cast<unsigned>(in.whole(0, "a width"));
+    if (width > 3) in.fail(fmt::format("found width {}, wanted 0 to 3", width));
+    const std::uint64_t matrices = in.whole(width, "a tree"), leaves = in.whole(width, "a tree");
+    const std::uint64_t leaf_bytes = in.whole(width, "a tree"), steps = in.whole(width, "a tree");
+    static_cast<void>(in.whole(width, "a tree"));  // the depth of its stack
+    if (matrices > in.left() / 128) in.fail(fmt::format("found {} bytes, wanted {} matrices", in.left(), matrices));
+    std::vector<double> numbers;
+    reals(in, matrices * 16, "matrices", numbers);
+    ByteReader names(in.take(leaf_bytes, "members"), file, offset);
+    std::vector<Step> members;
+    for (std::uint64_t i = 0; i < leaves; ++i) {
+        Step step{.name = names.text("a member's name")};
+        const std::uint64_t index = names.whole(width, "a matrix's number");
+        const unsigned bits = 8U << width;
+        const bool none = (index >> (bits - 1) & 1) != 0;
+        if (!none && index >= matrices)
+            names.fail(fmt::format("found matrix {}, wanted one below {}", index, matrices));
+        if (!none) {
+            step.matrix.emplace();
+            for (std::size_t k = 0; k < 16; ++k) (*step.matrix)[k] = numbers[static_cast<std::size_t>(index) * 16 + k];
+        }
+        members.push_back(std::move(step));
+    }
+    Combination out;
+    if (steps == 0) {
+        for (Step& member : members) {
+            out.steps.push_back(std::move(member));
+            if (out.steps.size() > 1) out.steps.push_back({Step::Op::unite});
+        }
+        return out;
+    }
+    std::size_t next = 0;
+    for (const char c : in.take(steps, "a tree")) {
+        if (c < 1 || c > 6) in.fail(fmt::format("found step {}, wanted 1 to 6", static_cast<int>(c)));
+        if (c == 1 && next == members.size()) in.fail("found more members in the tree than names");
+        if (c == 1)
+            out.steps.push_back(std::move(members[next++]));
+        else
+            out.steps.push_back({static_cast<Step::Op>(c - 1)});
+    }
+    if (!well_formed(out.steps)) in.fail("found a tree that does not end in one value");
+    return out;
+}
+
+}  // namespace cardioid::formats::brlcad

@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "formats/brlcad/read/readers.hpp"
+#include "formats/brlcad/read/tcl_words.hpp"
+#include "formats/brlcad/solid_kinds.hpp"
+#include "rt_core/api/error.hpp"
+#include "rt_core/scene/nearest_name.hpp"
+
+namespace cardioid::formats::brlcad {
+
+namespace {
+
+/// Braces within braces of a tree that are followed.
+constexpr std::size_t deepest_tree = 10'000;
+
+class TextReader {
+public:
+    TextReader(std::string_view text, const std::string& file)
+        : text_(text), file_(file), commands_(text, text, file, 0) {}
+
+    Database run() {
+        while (commands_.next_command(words_)) command();
+        return std::move(database_);
+    }
+
+private:
+    [[noreturn]] void fail(std::size_t offset, const std::string& what) const {
+        throw Error(ErrorCode::bad_input, commands_.place(offset) + ": " + what);
+    }
+    const TclWord& word(std::size_t i, const char* what) const {
+        if (i < words_.size()) return words_[i];
+        fail(words_.back().offset + words_.back().text.size(),
+             fmt::format("found the end of \"{}\", wanted {}", words_[0].text.substr(0, 20), what));
+    }
+    std::vector<TclWord> list_of(const TclWord& w) const { return TclWords(w.text, text_, file_, w.offset).list(); }
+
+    void command() {
+        const std::string& name = words_[0].text;
+        if (name == "title")
+            database_.title = word(1, "a title").text;
+        else if (name == "units")
+            database_.unit_mm = unit_mm(word(1, "a unit").text);
+        else if (name == "put")
+            put();
+        else if (name == "attr")
+            attributes();
+        else if (name == "color")
+            colour();
+        else if (name != "dbupgrade") {
+            static constexpr std::string_view known[] = {"title", "units", "put", "attr", "color"};
+            fail(words_[0].offset, fmt::format("found command \"{}\", wanted title, units, put, attr or color{}",
+                                               name.substr(0, 40), did_you_mean(name, known)));
+        }
+    }
+
+    void put() {
+        Object object{.name = word(1, "a name").text, .place = commands_.place(words_[1].offset)};
+        const std::string& type = word(2, "a type").text;
+        if (type == "comb")
+            object.combination = combination();
+        else
+            object.solid = solid(type);
+        database_.add(std::move(object));
+    }
+
+    Solid solid(const std::string& type) const {
+        if (type == "pipe") return pipe();
+        if (type == "arbn") return arbn();
+        if (type == "bot") return bot();
+        const bool is_arb = type == "arb4" || type == "arb5" || type == "arb6" || type == "arb7";
+        const SolidRow* row = find_row(is_arb ? "arb8" : type == "sph" ? "ell" : type);
+        if (!row) return {.type = type};
+        Solid out{.kind = row->kind, .type = row->name};
+        for (const SolidField& field : row->fields) {
+            const TclWord* found = value_of(field.name);
+            if (!found)
+                fail(words_[2].offset,
+                     fmt::format("found {} without {}, wanted its {} numbers", type, field.name, field.count));
+            append_numbers(*found, static_cast<std::size_t>(field.count), out.numbers);
+        }
+        return out;
+    }
+
+    /// The word behind a key, or null.
+    const TclWord* value_of(std::string_view key) const {
+        for (std::size_t i = 3; i + 1 < words_.size(); i += 2)
+            if (words_[i].text == key) return &words_[i + 1];
+        return nullptr;
+    }
+
+    double number(const TclWord& w) const {
+        const std::string_view text =
+            w.text.starts_with('+') ? std::string_view(w.text).substr(1) : std::string_view(w.text);
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (text.empty() || end != text.data() + text.size() || error == std::errc::invalid_argument ||
+            !std::isfinite(value))
+            fail(w.offset, fmt::format("found \"{}\", wanted a number", w.text.substr(0, 40)));
+        return error == std::errc::result_out_of_range ? 0 : value;
+    }
+    long whole(const TclWord& w) const {
+        const double value = number(w);
+        if (value != std::floor(value) || std::abs(value) > 4e9)
+            fail(w.offset, fmt::format("found \"{}\", wanted a whole number", w.text.substr(0, 40)));
+        return static_cast<long>(value);
+    }
+
+    /// Numbers of a list within lists; `wanted` of them where it is not 0.
+    void append_numbers(const TclWord& w, std::size_t wanted, std::vector<double>& out) const {
+        const std::size_t before = out.size();
+        for (const TclWord& part : list_of(w)) {
+            if (part.text.find(' ') == std::string::npos)
+                out.push_back(number(part));
+            else
+                for (const TclWord& inner : list_of(part)) out.push_back(number(inner));
+        }
+        if (wanted && out.size() - before != wanted)
+            fail(w.offset, fmt::format("found {} numbers, wanted {}", out.size() - before, wanted));
+    }
+
+    Solid pipe() const {
+        Solid out{.kind = SolidKind::pipe, .type = "pipe"};
+        for (int i = 0;; ++i) {
+            const TclWord* at = value_of(fmt::format("V{}", i));
+            if (!at) return out;
+            append_numbers(*at, 3, out.numbers);
+            for (const char letter : {'I', 'O', 'R'}) {
+                const TclWord* v = value_of(fmt::format("{}{}", letter, i));
+                if (!v) fail(at->offset, fmt::format("found V{} without {}{}", i, letter, i));
+                out.numbers.push_back(number(*v));
+            }
+        }
+    }
+
+    Solid arbn() const {
+        Solid out{.kind = SolidKind::arbn, .type = "arbn"};
+        for (int i = 0;; ++i) {
+            const TclWord* plane = value_of(fmt::format("P{}", i));
+            if (!plane) return out;
+            append_numbers(*plane, 4, out.numbers);
+        }
+    }
+
+    Solid bot() const {
+        Solid out{.kind = SolidKind::bot, .type = "bot"};
+        static constexpr const char* modes[] = {"surf", "volume", "plate", "plate_nocos"};
+        if (const TclWord* mode = value_of("mode"))
+            for (int i = 0; i < 4; ++i)
+                if (mode->text == modes[i] || (i == 1 && mode->text == "solid")) out.mode = i + 1;
+        if (const TclWord* turn = value_of("orient")) {
+            if (turn->text == "rh" || turn->text == "ccw") out.orientation = 2;
+            if (turn->text == "lh" || turn->text == "cw") out.orientation = 3;
+        }
+        if (const TclWord* v = value_of("V")) append_numbers(*v, 0, out.numbers);
+        if (const TclWord* t = value_of("T"); t && out.mode > 2) append_numbers(*t, 0, out.thickness);
+        if (out.numbers.size() % 3) fail(words_[2].offset, "found corners that are no triples");
+        if (const TclWord* f = value_of("F")) {
+            std::vector<double> corners;
+            append_numbers(*f, 0, corners);
+            for (const double c : corners) {
+                if (!(c >= 0 && c < static_cast<double>(out.numbers.size() / 3)) || c != std::floor(c))
+                    fail(f->offset, fmt::format("found corner {}, wanted one below {}", c, out.numbers.size() / 3));
+                out.corners.push_back(static_cast<std::uint32_t>(c));
+            }
+            if (corners.size() % 3) fail(f->offset, "found triangles that are no triples");
+        }
+        return out;
+    }
+
+    Combination combination() const {
+        Combination out;
+        for (std::size_t i = 3; i + 1 < words_.size(); i += 2) {
+            if (words_[i].text == "tree")
+                out.steps = tree(words_[i + 1]);
+            else
+                set_attribute(out, words_[i].text, words_[i + 1].text);
+        }
+        return out;
+    }
+
+    /// {op left right} within each other, from the outside: a stack of what is still to be written, last first.
+    std::vector<Step> tree(const TclWord& whole_tree) const {
+        struct Waiting {
+            TclWord word;
+            std::optional<Step::Op> op;  ///< to be written in place of the word
+        };
+        std::vector<Step> out;
+        std::vector<Waiting> waiting{{whole_tree, std::nullopt}};
+        while (!waiting.empty()) {
+            if (waiting.size() > deepest_tree) fail(whole_tree.offset, "found a tree of more than 5000 levels");
+            const Waiting next = std::move(waiting.back());
+            waiting.pop_back();
+            if (next.op) {
+                out.push_back({*next.op});
+                continue;
+            }
+            std::vector<TclWord> parts = list_of(next.word);
+            if (parts.empty()) fail(next.word.offset, "found an empty branch of a tree");
+            const std::string op = parts[0].text;
+            if (op == "l") {
+                out.push_back(member(parts));
+                continue;
+            }
+            const Step::Op step = operation(parts[0]);
+            const std::size_t branches = step == Step::Op::complement ? 1 : 2;
+            if (parts.size() != 1 + branches)
+                fail(parts[0].offset,
+                     fmt::format("found {} branches of \"{}\", wanted {}", parts.size() - 1, op, branches));
+            waiting.push_back({{}, step});
+            for (std::size_t i = branches; i > 0; --i) waiting.push_back({std::move(parts[i]), std::nullopt});
+        }
+        return out;
+    }
+
+    [[nodiscard]] Step::Op operation(const TclWord& w) const {
+        if (w.text == "u") return Step::Op::unite;
+        if (w.text == "-") return Step::Op::subtract;
+        if (w.text == "n" || w.text == "+") return Step::Op::intersect;
+        if (w.text == "^") return Step::Op::exclusive;
+        if (w.text == "!") return Step::Op::complement;
+        fail(w.offset, fmt::format("found operation \"{}\", wanted u, -, n, +, ^, ! or l", w.text.substr(0, 20)));
+    }
+
+    [[nodiscard]] Step member(const std::vector<TclWord>& parts) const {
+        if (parts.size() < 2) fail(parts[0].offset, "found a member without a name");
+        Step out{.name = parts[1].text};
+        if (parts.size() < 3) return out;
+        std::vector<double> numbers;
+        append_numbers(parts[2], 16, numbers);
+        out.matrix.emplace();
+        std::copy(numbers.begin(), numbers.end(), out.matrix->begin());
+        return out;
+    }
+
+    void attributes() {
+        if (word(1, "set").text != "set") return;
+        const std::string& name = word(2, "a name").text;
+        const auto found = database_.index.find(name);
+        for (std::size_t i = 3; i + 1 < words_.size(); i += 2) {
+            if (name == "_GLOBAL")
+                set_global(database_, words_[i].text, words_[i + 1].text);
+            else if (found != database_.index.end() && database_.objects[found->second].combination)
+                set_attribute(*database_.objects[found->second].combination, words_[i].text, words_[i + 1].text);
+        }
+    }
+
+    void colour() {
+        ColourRange range;
+        range.low = whole(word(1, "a region's number")), range.high = whole(word(2, "a region's number"));
+        for (std::size_t i = 0; i < 3; ++i)
+            range.colour[i] = static_cast<std::uint8_t>(std::clamp(whole(word(3 + i, "a colour")), 0L, 255L));
+        database_.colours.push_back(range);
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    TclWords commands_;
+    std::vector<TclWord> words_;
+    Database database_;
+};
+
+}  // namespace
+
+bool looks_like_text_v5(std::string_view head) {
+    while (!head.empty() && (head[0] == '#' || head[0] == '\n' || head[0] == '\r'))
+        head.remove_prefix(std::min(head.find('\n'), head.size() - 1) + 1);
+    return head.starts_with("title {") || head.starts_with("title \"") || head.starts_with("put {") ||
+           head.starts_with("put ") || head.starts_with("units ");
+}
+
+Database read_text_v5(std::string_view text, const std::string& file) { return TextReader(text, file).run(); }
+
+}  // namespace cardioid::formats::brlcad

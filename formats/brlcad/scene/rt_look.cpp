@@ -1,0 +1,96 @@
+#include "formats/brlcad/scene/rt_look.hpp"
+
+#include <algorithm>
+
+#include "csg/exact/walk.hpp"
+#include "csg/leaves/leaf.hpp"
+#include "formats/brlcad/scene/looks.hpp"
+
+namespace cardioid::formats::brlcad {
+
+namespace {
+
+/// rt's default of `-A`.
+constexpr double ambient = 0.4;
+
+/// Of the parts, not of what is cut from them, as rt bounds a region.
+Box3d box_of(const SolidTree& tree, std::uint32_t node) {
+    Box3d out;
+    csg::for_each_leaf(tree, node, [&](const Leaf& leaf) {
+        const Box3d box = csg::leaf_bounds(tree, leaf);
+        if (box.bounded()) out.include(box);
+    });
+    return out;
+}
+
+/// Defaults of sh_plastic.c: shine, specular, diffuse, transmit, reflect, index.
+struct Defaults {
+    const char* name;
+    double sh, sp, di, tr, re, ri;
+};
+constexpr Defaults defaults[] = {
+    {"plastic", 10, 0.7, 0.3, 0, 0, 1}, {"mirror", 4, 0.6, 0.4, 0, 0.75, 1.65}, {"glass", 4, 0.7, 0.3, 0.8, 0.1, 1.65}};
+
+bool is_light(const Region& region) { return parse_shader(region.look.shader).name == "light"; }
+
+double intensity(const Region& region) {
+    return std::max(parse_shader(region.look.shader).number({"bright", "b", "inten"}, 1), 0.0);
+}
+
+}  // namespace
+
+MaterialSettings rt_material(const RegionLook& look) {
+    const ShaderText shader = parse_shader(look.shader);
+    MaterialSettings out{.kind = "rt_surface", .params = Params("shader \"" + look.shader + "\"")};
+    const Defaults* row = &defaults[0];
+    for (const Defaults& d : defaults)
+        if (shader.name == d.name) row = &d;
+    const auto set = [&](const char* name, std::initializer_list<const char*> keys, double fallback, double most) {
+        out.params.set(name, std::clamp(shader.number(keys, fallback), 0.0, most));
+    };
+    out.params.set("colour", display_colour(look));
+    set("shine", {"sh", "shine"}, row->sh, 1e6);
+    set("specular", {"sp", "specular"}, row->sp, 100);
+    set("diffuse", {"di", "diffuse"}, row->di, 100);
+    set("transmit", {"tr", "transmit"}, row->tr, 1);
+    set("reflect", {"re", "reflect"}, row->re, 1);
+    set("index", {"ri"}, row->ri, 10);
+    if (shader.name == "checker") {
+        // Fields follow the surface's own coordinates, which solids do not have here: their mean stands for both.
+        std::vector<double> a = shader.triple("a"), b = shader.triple("b");
+        if (a.empty()) a = {255, 255, 255};
+        if (b.empty()) b = {0, 0, 0};
+        const auto mean = [&](std::size_t i) { return static_cast<float>(std::clamp((a[i] + b[i]) / 510, 0.0, 1.0)); };
+        out.params.set("colour", Rgb(mean(0), mean(1), mean(2)));
+        out.params.set("flat", 1.0);
+    }
+    if (shader.name == "cloud" || shader.name == "testmap" || shader.name == "texture") out.params.set("flat", 1.0);
+    return out;
+}
+
+void finish_rt(Scene& scene, std::vector<Region>& regions) {
+    std::erase_if(regions, [&](const Region& region) {
+        const ShaderText shader = parse_shader(region.look.shader);
+        return shader.name == "envmap" || shader.name == "air";
+    });
+    double brightest = 0;
+    for (const Region& region : regions)
+        if (is_light(region)) brightest = std::max(brightest, intensity(region));
+    std::vector<Region> kept;
+    for (Region& region : regions) {
+        if (is_light(region) && brightest > 0) {
+            const ShaderText shader = parse_shader(region.look.shader);
+            const Vec3d at = box_of(scene.solids, region.node).centre();
+            Params& params = scene.materials[region.material].params;
+            const double share = shader.number({"fract", "f"}, intensity(region) / (brightest * (1 + 0.5 * ambient)));
+            params.set("light", std::clamp(share, 0.0, 1e6));
+            params.set("angle", std::clamp(shader.number({"angle", "a"}, 180), 0.0, 180.0));
+            params.set("shadows", shader.number({"shadows", "s"}, 1) > 0 ? 1.0 : 0.0);
+            params.set("place", ParamValue{.numbers = {at.x, at.y, at.z}, .list = true});
+        }
+        kept.push_back(std::move(region));
+    }
+    regions = std::move(kept);
+}
+
+}  // namespace cardioid::formats::brlcad

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "rt_core/scene/scene.hpp"
+
+namespace cardioid::formats::brlcad {
+
+/// What a view script of rt says of its first picture.
+struct View {
+    std::optional<double> size;                ///< of an orthographic picture across [mm]
+    std::optional<Vec3d> eye, look_at;         ///< [mm]
+    std::optional<std::array<Vec3d, 3>> axes;  ///< to the right, up, and towards the eye; unit length
+    double perspective_deg = 0;                ///< horizontal angle of view; 0 is orthographic
+    std::optional<int> width, height;          ///< pixels
+    std::vector<std::string> warnings;
+};
+
+/// Reads `viewsize 100; eye_pt 1 2 3; ... end;` or the old form, sixteen and four bare numbers. What follows the first
+/// `end` is left out, commands that mean nothing to one still picture are passed over. Throws Error(bad_input) with
+/// file:line:column.
+View read_view(const std::string& text, const std::string& file);
+
+/// Puts the view's camera before those of the scene, and its size into the film.
+void apply_view(const View& view, Scene& scene);
+
+/// Axes of a view from azimuth and elevation [degrees].
+std::array<Vec3d, 3> axes_from(double azimuth_deg, double elevation_deg);
+
+}  // namespace cardioid::formats::brlcad

@@ -1,0 +1,39 @@
+#include "rt_core/image/image_codecs.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "rt_core/api/error.hpp"
+
+namespace cardioid {
+namespace {
+
+/// Looked for where the program's RUNPATH says: beside the build, or in the installed lib/cardioid.
+constexpr const char* module_file = "cardioid_images.so";
+
+const ImageCodecs* load() {
+    void* const object = dlopen(module_file, RTLD_LAZY | RTLD_LOCAL);
+    if (!object) throw Error(ErrorCode::io, fmt::format("cannot load the picture formats: {}", dlerror()));
+    const auto codecs = reinterpret_cast<const ImageCodecs* (*)()>(dlsym(object, image_codecs_function));
+    if (!codecs) throw Error(ErrorCode::io, fmt::format("{} has no {}", module_file, image_codecs_function));
+    return codecs();
+}
+
+}  // namespace
+
+const ImageCodecs& image_codecs() {
+    static const ImageCodecs* const codecs = load();
+    return *codecs;
+}
+
+RawImage read_raw_image(const std::string& path, std::int64_t most_pixels) {
+    RawImage image;
+    const std::string failure = image_codecs().read(path, most_pixels, image);
+    if (!failure.empty()) throw Error(ErrorCode::io, fmt::format("{}: cannot read: {}", path, failure));
+    if (std::int64_t{image.width} * image.height > most_pixels)
+        throw Error(ErrorCode::limit,
+                    fmt::format("{}: {}x{} pixels, wanted at most {}", path, image.width, image.height, most_pixels));
+    return image;
+}
+
+}  // namespace cardioid

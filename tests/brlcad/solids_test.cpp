@@ -1,0 +1,121 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "csg/compile.hpp"
+#include "csg/measure.hpp"
+#include "formats/brlcad/brlcad_format.hpp"
+#include "formats/brlcad/view/view_script.hpp"
+#include "rt_core/scene/scene.hpp"
+
+namespace cardioid::formats {
+namespace {
+
+constexpr double pi_d = std::numbers::pi;
+
+Scene scene_of(const std::string& text) { return brlcad_format.read(text, "model.asc", {}); }
+
+void expect_volume(const std::string& text, double wanted) {
+    const Scene scene = scene_of(text);
+    EXPECT_TRUE(scene.warnings.empty()) << text << scene.warnings[0];
+    const auto region = csg::compile_whole(scene.solids, false);
+    const csg::VolumeEstimate found = csg::measure_volume(*region, region->bounds(), 128, 1);
+    EXPECT_NEAR(found.volume, wanted, 4 * found.sigma + 1e-6 * wanted) << text;
+    EXPECT_LT(found.sigma, 5e-3 * wanted) << text;
+}
+
+TEST(BrlcadSolids, HaveTheVolumesOfTheirFormulas) {
+    expect_volume("put a ell V {1 2 3} A {2 0 0} B {0 3 0} C {0 0 4}", 4.0 / 3 * pi_d * 24);
+    expect_volume("put a tor V {1 2 3} H {0 1 1} r_a 5 r_h 2", 2 * pi_d * pi_d * 5 * 4);
+    expect_volume("put a tgc V {0 0 0} H {3 0 9} A {4 0 0} B {0 4 0} C {4 0 0} D {0 4 0}", pi_d * 16 * 9);
+    expect_volume("put a tgc V {0 0 0} H {0 0 9} A {4 0 0} B {0 3 0} C {2 0 0} D {0 1.5 0}",
+                  pi_d * 12 * 9 * (1 + 0.5 + 0.25) / 3);
+    expect_volume("put a tgc V {0 0 0} H {0 0 9} A {2 0 0} B {0 1 0} C {4 0 0} D {0 4 0}",
+                  pi_d * 9 * (16 * (1 - (0.5 + 0.75) / 2 + 0.5 * 0.75 / 3)));
+    expect_volume("put a eto V {0 0 0} N {0 0 1} C {2 0 2} r 6 r_d 1", 2 * pi_d * 6 * pi_d * std::sqrt(8.0));
+    expect_volume("put a rpc V {0 0 0} H {0 5 0} B {0 0 3} r 2", 4.0 / 3 * 2 * 3 * 5);
+    expect_volume("put a epa V {0 0 0} H {0 0 3} A {1 0 0} r_1 2 r_2 1", pi_d / 2 * 2 * 3);
+    expect_volume("put a hyp V {0 0 0} H {0 0 6} A {2 0 0} b 3 bnr 0.5", pi_d * 6 * 6 * (0.25 + 0.75 / 3));
+    expect_volume("put a superell V {0 0 0} A {2 0 0} B {0 3 0} C {0 0 4} n 1 e 1", 4.0 / 3 * pi_d * 24);
+    // Two balls and the frustum that touches both: caps of h (3r - h) pi h / 3.
+    const double s = (3.0 - 1) / 8, c = std::sqrt(1 - s * s), h = 8 - 2 * s, r0 = 3 * c, r1 = c;
+    const auto cap = [](double r, double t) { return pi_d * t * t * (3 * r - t) / 3; };
+    expect_volume("put a part V {0 0 0} H {0 0 8} r_v 3 r_h 1",
+                  pi_d * h * (r0 * r0 + r0 * r1 + r1 * r1) / 3 + cap(3, 3 * (1 + s)) + cap(1, 1 - s));
+    expect_volume("put a pipe V0 {0 0 0} I0 2 O0 4 R0 5 V1 {20 0 0} I1 2 O1 4 R1 5 V2 {20 20 0} I2 2 O2 4 R2 5",
+                  pi_d * (4 - 1) * (15 + 15 + 5 * pi_d / 2));
+    expect_volume("put a arb8 V1 {0 0 0} V2 {4 0 0} V3 {4 4 0} V4 {0 4 0} V5 {1 1 3} V6 {3 1 3} V7 {3 3 3} V8 {1 3 3}",
+                  28);
+    expect_volume("put a arb8 V1 {0 0 0} V2 {3 0 0} V3 {0 3 0} V4 {0 3 0} V5 {0 0 3} V6 {0 0 3} V7 {0 0 3} V8 {0 0 3}",
+                  4.5);
+    expect_volume("put a arbn P0 {1 0 0 1} P1 {-1 0 0 1} P2 {0 1 0 1} P3 {0 -1 0 1} P4 {0 0 1 1} P5 {0 0 -1 1}", 8);
+    expect_volume(
+        "put a bot mode volume orient cw V {{0 0 0} {3 0 0} {0 3 0} {0 0 3}} F {{0 1 2} {0 3 1} {1 3 2} {2 3 0}}", 4.5);
+}
+
+TEST(BrlcadSolids, OperationsMeanWhatTheySay) {
+    const std::string two =
+        "put a arb8 V1 {0 0 0} V2 {2 0 0} V3 {2 2 0} V4 {0 2 0} V5 {0 0 2} V6 {2 0 2} V7 {2 2 2} V8 {0 2 2}\n"
+        "put b arb8 V1 {1 0 0} V2 {4 0 0} V3 {4 2 0} V4 {1 2 0} V5 {1 0 2} V6 {4 0 2} V7 {4 2 2} V8 {1 2 2}\n";
+    const auto with = [&](const std::string& op) {
+        return two + "put r comb region yes tree {" + op + " {l a} {l b}}\n";
+    };
+    expect_volume(with("u"), 16);
+    expect_volume(with("-"), 4);
+    expect_volume(with("n"), 4);
+    expect_volume(with("^"), 12);
+    // Above regions an operation works on each region of its left side.
+    expect_volume(two +
+                      "put ra comb region yes tree {l a}\nput rb comb region yes tree {l b}\n"
+                      "put all comb region no tree {- {l ra} {l rb}}\n",
+                  4);
+    // The last element of a matrix divides: half the size.
+    expect_volume(
+        two.substr(0, two.find('\n') + 1) + "put r comb region yes tree {l a {1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2}}\n", 1);
+}
+
+TEST(BrlcadLooks, OfAnUpperCombinationThatInheritsWin) {
+    const std::string ball =
+        "put s ell V {0 0 0} A {1 0 0} B {0 1 0} C {0 0 1}\nput r comb region yes tree {l s}\n"
+        "attr set r rgb 255/0/0\nput top comb region no tree {l r}\n";
+    const auto red = [](const Scene& scene) { return scene.materials.back().params.colour("reflectance", {}).r; };
+    EXPECT_GT(red(scene_of(ball + "attr set top rgb 0/255/0\n")), 0.5F);
+    EXPECT_EQ(red(scene_of(ball + "attr set top rgb 0/255/0 inherit 1\n")), 0);
+}
+
+TEST(BrlcadLooks, AirIsLeftOutAndMissingObjectsAreNamed) {
+    const std::string text =
+        "put s ell V {0 0 0} A {1 0 0} B {0 1 0} C {0 0 1}\nput air.r comb region yes tree {l s}\n"
+        "attr set air.r aircode 1\nput ball.r comb region yes tree {l s}\n";
+    EXPECT_EQ(scene_of(text).names, std::vector<std::string>{"/ball.r"});
+    ReadOptions options;
+    options.objects = {"bal.r"};
+    try {
+        static_cast<void>(brlcad_format.read(text, "m.asc", options));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::usage);
+        EXPECT_NE(std::string(error.what()).find("did you mean \"ball.r\""), std::string::npos) << error.what();
+    }
+}
+
+TEST(ViewScripts, RotationsQuaternionsAndAnglesAreTheSameView) {
+    using namespace brlcad;
+    const View angles = read_view("viewsize 10; eye_pt 1 2 3; ae 35 25; end;", "v.rt");
+    const View rows = read_view(
+        "viewsize 10;\neye_pt 1 2 3;\nviewrot -.573576436 .819152044 0 0 -.346188613 -.242403876 "
+        ".906307787 0 .742403877 .519836826 .422618262 0 0 0 0 1;\nstart 0; end;",
+        "v.rt");
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(length((*angles.axes)[i] - (*rows.axes)[i]), 1e-7);
+    const View quarter = read_view("orientation 0 0 0.70710678118654752 0.70710678118654752;", "v.rt");
+    EXPECT_LT(length((*quarter.axes)[0] - Vec3d{0, 1, 0}), 1e-12);
+    EXPECT_THROW(static_cast<void>(read_view("viewsise 10;", "v.rt")), Error);
+    Scene scene;
+    apply_view(angles, scene);
+    ASSERT_EQ(scene.cameras.size(), 1U);
+    EXPECT_EQ(scene.cameras[0].width, 10);
+    EXPECT_EQ(scene.cameras[0].projection, CameraSettings::Projection::orthographic);
+}
+
+}  // namespace
+}  // namespace cardioid::formats
