@@ -106,7 +106,7 @@ RenderSettings render_settings(const RenderOptions& options, const Scene& scene,
     settings.camera = choose_camera(options, scene, model, static_cast<double>(width) / height);
     settings.time_s = options.time_s;
     settings.noise = options.noise;
-    if (options.box_filter) settings.filter = Filter::box;
+    if (options.gaussian_filter) settings.filter = Filter::gaussian;
     settings.layers = options.layers;
     settings.view = checked_view(options.view, lighting);
     return settings;

@@ -74,7 +74,7 @@ std::optional<ProbeOptions> parse_probe_options(const std::vector<std::string>& 
     arguments.examples(examples);
     if (!arguments.parse(words)) return std::nullopt;
     check(options);
-    if (options.lighting.empty() && options.photons.empty()) options.lighting = fallback_lighting;
+    if (options.lighting.empty() && options.photons.empty()) options.lighting = std::string(fallback_lighting);
     if (options.output.empty() && options.json != "-") options.output = "-";
     return options;
 }

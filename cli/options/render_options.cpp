@@ -62,10 +62,11 @@ void add_quality_options(Arguments& a, RenderOptions& o) {
         // Hundreds of rays and several cache points average what a lookup scatters by.
         o.photon_error = std::clamp(5 * o.noise, 0.01, 0.3);
     });
-    a.value("--filter", "gaussian|box", "Shape of a pixel; box: its square alone [gaussian]",
+    a.value("--filter", "box|gaussian",
+            "What a pixel is the mean of: its square, or softer, a little around it too [box]",
             [&](const std::string& text) {
-                const std::vector<std::string> names{"gaussian", "box"};
-                o.box_filter = to_choice("--filter", text, names) == "box";
+                const std::vector<std::string> names{"box", "gaussian"};
+                o.gaussian_filter = to_choice("--filter", text, names) == "gaussian";
             });
     add_seed_options(a, o, "picture");
 }

@@ -25,7 +25,7 @@ struct RenderOptions : RunOptions {
     std::optional<int> samples;
     std::optional<int> quality_samples;  ///< what --quality stands for
     double time_s = 0, noise = 0;
-    bool box_filter = false;
+    bool gaussian_filter = false;
 
     std::string camera;
     std::optional<double> azimuth_deg, elevation_deg, fov_deg;

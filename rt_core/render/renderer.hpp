@@ -11,7 +11,7 @@
 
 namespace cardioid {
 
-enum class Filter { gaussian, box };
+enum class Filter { box, gaussian };
 
 struct RenderSettings {
     int width = 800, height = 600;
@@ -20,7 +20,7 @@ struct RenderSettings {
     std::array<int, 4> crop{0, 0, 0, 0};
     int samples = 32;  ///< a pixel; 1 goes through pixel centres; 0: as many as time_s and noise take
     std::uint32_t seed = 0;
-    Filter filter = Filter::gaussian;
+    Filter filter = Filter::box;
     CameraSettings camera;
     double time_s = 0;                ///< > 0: ends after this time, at the latest after `samples`
     double noise = 0;                 ///< > 0: until the picture's relative error is below; see NoisePlan

@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryKnownValue, testing::ValuesIn(trials()), na
 std::vector<float> picture(const Scene& description, int width, int height, int samples) {
     const CommittedScene scene = commit(description);
     const auto lighting = prepared_lighting("path", scene, 1);
-    RenderSettings settings{.width = width, .height = height, .samples = samples, .seed = 1, .filter = Filter::box};
+    RenderSettings settings{.width = width, .height = height, .samples = samples, .seed = 1};
     settings.camera = description.cameras.at(0);
     Progress silent;
     return render(scene, *lighting, settings, silent).film.layers.at(0).pixels;

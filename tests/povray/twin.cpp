@@ -80,7 +80,6 @@ Picture draw(const Scene& scene, const Drawing& drawing) {
     settings.width = *scene.film.width;
     settings.height = *scene.film.height;
     settings.samples = drawing.samples;
-    settings.filter = Filter::box;
     settings.camera = scene.cameras.front();
     settings.layers = {"normal", "depth", "region"};
     Progress silence;

@@ -42,10 +42,10 @@ void time_programs(const Twin& twin, const Scene& scene, Entry& entry) {
     const Drawing drawing = twin.drawing();
     const auto [width, height] = timed_size(twin, scene);
     entry.size = fmt::format("{}x{}", width, height);
-    const Run done = run({CARDIOID_PROGRAM, "scene.csg", "-o", "timed.exr", "--half", "--lighting", drawing.lighting,
-                          "--spp", std::to_string(drawing.samples), "--filter", "box", "-s", entry.size, "-j", "1",
-                          "-q", "--stats", "timed.json"},
-                         folder);
+    const Run done =
+        run({CARDIOID_PROGRAM, "scene.csg", "-o", "timed.exr", "--half", "--lighting", drawing.lighting, "--spp",
+             std::to_string(drawing.samples), "-s", entry.size, "-j", "1", "-q", "--stats", "timed.json"},
+            folder);
     ASSERT_EQ(done.status, 0) << done.messages;
     std::ifstream stats(folder / "timed.json");
     entry.our_s = done.user_s;
@@ -77,9 +77,13 @@ TEST_P(PovRay, IsHeldToWhatWasPromised) {
         EXPECT_TRUE(options.limits.contains("bias"));
         EXPECT_FALSE(options.settings.regions.empty() && options.grid == 0);
     }
-    if (twin.writing().photons) EXPECT_LE(options.limits.at("bias"), 0.02);
+    if (twin.writing().photons) {
+        EXPECT_LE(options.limits.at("bias"), 0.02);
+    }
     EXPECT_LE(twin.silhouette(), twin.name() == "torus" ? 5 : 0);
-    if (twin.name() != "area_array_shadow") EXPECT_EQ(twin.wrong().at(0), "light");
+    if (twin.name() != "area_array_shadow") {
+        EXPECT_EQ(twin.wrong().at(0), "light");
+    }
 }
 
 TEST_P(PovRay, DrawsTheSamePictureAndNotThatOfAMistake) {

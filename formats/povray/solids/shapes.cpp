@@ -57,7 +57,7 @@ std::string cone(const Leaf& leaf, const Affine& m) {
     const bool upright = width > 0 && at_right_angles(m.column(0), axis) && at_right_angles(m.column(1), axis);
     const double times = upright ? width : 1;
     const std::string base = upright ? sdl(m.t) : "0", cap = upright ? sdl(m.t + axis) : "z";
-    const std::string place = upright ? "" : " " + sdl(m);
+    const std::string place = upright ? "" : fmt::format(" {}", sdl(m));
     if (leaf.a == leaf.b) return fmt::format("cylinder {{ {}, {}, {}{}", base, cap, sdl(leaf.a * times), place);
     return fmt::format("cone {{ {}, {}, {}, {}{}", base, sdl(leaf.a * times), cap, sdl(leaf.b * times), place);
 }
