@@ -6,7 +6,7 @@
 namespace cardioid::cli {
 namespace {
 
-constexpr const char* fallback_lighting = "path";
+const std::string fallback_lighting = "path";
 constexpr double fallback_noise = 0.01;
 /// Fewer tell too little about their own noise.
 constexpr int fewest_samples = 16, most_samples = 1 << 24;
@@ -66,7 +66,7 @@ std::optional<ProbeOptions> parse_probe_options(const std::vector<std::string>& 
                         "Measures the light that arrives at given points, with its standard error.");
     add_measure_options(arguments, options);
     arguments.group("Light");
-    add_lighting_options(arguments, options, std::string(fallback_lighting) + ": unbiased");
+    add_lighting_options(arguments, options, fallback_lighting + ": unbiased");
     arguments.flag("--ground", "A ground plane under the model", options.ground);
     add_scene_options(arguments, options.scene);
     arguments.group("Messages");
@@ -74,7 +74,7 @@ std::optional<ProbeOptions> parse_probe_options(const std::vector<std::string>& 
     arguments.examples(examples);
     if (!arguments.parse(words)) return std::nullopt;
     check(options);
-    if (options.lighting.empty() && options.photons.empty()) options.lighting = std::string(fallback_lighting);
+    if (options.lighting.empty() && options.photons.empty()) options.lighting = fallback_lighting;
     if (options.output.empty() && options.json != "-") options.output = "-";
     return options;
 }
