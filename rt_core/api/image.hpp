@@ -15,6 +15,7 @@ struct RawImage {
     std::vector<std::string> channels;  ///< their names
     bool encoded = false;               ///< sRGB values of 8 or 16 bits, 0 to 1 here; else light
     std::vector<float> values;
+    std::vector<bool> half;  ///< for writing: which channels take 16 bits where the format can; empty: none
     Metadata metadata;
 };
 

@@ -9,7 +9,7 @@ namespace cardioid {
 struct ImageCodecs {
     /// Does not read the values where there are more than most_pixels.
     std::string (*read)(const std::string& path, std::int64_t most_pixels, RawImage& image);
-    /// The bytes of a file of that name's format: 8 bits a channel where image.encoded, else floats.
+    /// The bytes of a file of that name's format: 8 bits a channel where image.encoded, else floats or halves.
     std::string (*encode)(const std::string& path, const RawImage& image, std::vector<unsigned char>& bytes);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <string_view>
@@ -10,17 +11,15 @@
 #include "rt_core/api/error.hpp"
 #include "rt_core/image/atomic_file.hpp"
 #include "rt_core/image/encode.hpp"
-#include "rt_core/image/exr_writer.hpp"
 #include "rt_core/image/image_codecs.hpp"
-#include "rt_core/image/png_writer.hpp"
 #include "rt_core/scene/nearest_name.hpp"
 
 namespace cardioid {
 
 namespace {
 
-/// What we write: PNG and EXR by ourselves, the rest by OpenImageIO where it can write into memory, so that we see
-/// every failure of the disk. (TIFF is not among them: OpenImageIO 2.4 leaves its directory incomplete there.)
+/// What we write: formats that OpenImageIO can write into memory, so that we see every failure of the disk. (TIFF is
+/// not among them: OpenImageIO 2.4 leaves its directory incomplete there.)
 struct Extension {
     std::string_view name;
     bool linear;    ///< floats, not encoded
@@ -30,6 +29,9 @@ constexpr std::array extensions{
     Extension{".png", false, false}, Extension{".jpg", false, false}, Extension{".jpeg", false, false},
     Extension{".exr", true, true},   Extension{".hdr", true, false},  Extension{".tga", false, false},
     Extension{".bmp", false, false}, Extension{".ppm", false, false}, Extension{".webp", false, false}};
+
+/// The largest number of 16 bits; what is finite stays so.
+constexpr float most_half = 65504;
 
 /// The text that stands for all metadata where a format has no entries of any name: "name: text" lines.
 constexpr const char* description = "ImageDescription";
@@ -79,41 +81,64 @@ Metadata as_description(const Metadata& metadata) {
     return {{description, described(metadata)}};
 }
 
-void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-    write_whole_file(path, std::as_bytes(std::span(bytes)));
-}
-
-/// By OpenImageIO.
+/// Encodes into memory and puts the file in its place.
 void write(const std::string& path, const RawImage& image) {
     std::vector<unsigned char> bytes;
     const std::string failure = image_codecs().encode(path, image, bytes);
     if (!failure.empty()) throw Error(ErrorCode::io, fmt::format("{}: {}", path, failure));
-    write(path, bytes);
+    write_whole_file(path, std::as_bytes(std::span(bytes)));
 }
 
 void write_encoded(const std::string& path, const Film& film, const Layer& layer, const ImageWriteSettings& settings) {
     const std::vector<std::uint8_t> bytes = encode_8bit(layer, settings.exposure);
-    if (extension_of(path) == ".png")
-        return write(path, encode_png(film.width, film.height, bytes, described(settings.metadata)));
-    RawImage image{film.width, film.height, {"R", "G", "B"}, true, {}, as_description(settings.metadata)};
+    RawImage image{.width = film.width,
+                   .height = film.height,
+                   .channels = {"R", "G", "B"},
+                   .encoded = true,
+                   .values = {},
+                   .half = {},
+                   .metadata = as_description(settings.metadata)};
+    image.values.reserve(bytes.size());
     for (const std::uint8_t byte : bytes) image.values.push_back(static_cast<float>(byte) / 255);
     write(path, image);
 }
 
 /// All layers side by side.
 void write_exr(const std::string& path, const Film& film, const ImageWriteSettings& settings) {
-    std::vector<ExrChannel> channels;
+    RawImage image{.width = film.width,
+                   .height = film.height,
+                   .channels = {},
+                   .values = {},
+                   .half = {},
+                   .metadata = settings.metadata};
     for (const Layer& layer : film.layers)
-        for (int c = 0; c < layer.channels; ++c)
+        for (int c = 0; c < layer.channels; ++c) {
+            image.channels.push_back(channel_name(layer, c));
             // Ids and distances need more than half's eleven bits.
-            channels.push_back({channel_name(layer, c), settings.half && layer.channels > 1, layer.pixels.data() + c,
-                                static_cast<std::size_t>(layer.channels)});
-    write(path, encode_exr(film.width, film.height, std::move(channels), settings.metadata));
+            image.half.push_back(settings.half && layer.channels > 1);
+        }
+    const std::size_t n = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+    image.values.reserve(n * image.channels.size());
+    for (std::size_t i = 0; i < n; ++i)
+        for (const Layer& layer : film.layers) {
+            const auto channels = static_cast<std::size_t>(layer.channels);
+            const bool half = settings.half && channels > 1;
+            for (std::size_t c = 0; c < channels; ++c) {
+                const float x = layer.pixels[i * channels + c];
+                image.values.push_back(half && std::isfinite(x) ? std::clamp(x, -most_half, most_half) : x);
+            }
+        }
+    write(path, image);
 }
 
 /// One layer as floats.
 void write_linear(const std::string& path, const Film& film, const Layer& layer, const ImageWriteSettings& settings) {
-    RawImage image{film.width, film.height, {}, false, layer.pixels, as_description(settings.metadata)};
+    RawImage image{.width = film.width,
+                   .height = film.height,
+                   .channels = {},
+                   .values = layer.pixels,
+                   .half = {},
+                   .metadata = as_description(settings.metadata)};
     for (int c = 0; c < layer.channels; ++c) image.channels.push_back(channel_name(layer, c));
     write(path, image);
 }
@@ -167,6 +192,7 @@ void split_layers(const RawImage& image, Film& film) {
 void check_image_path(const std::string& path) {
     static_cast<void>(known_extension(path));
     check_writable(path);
+    static_cast<void>(image_codecs());
 }
 
 void write_image(const std::string& path, const Film& film, const ImageWriteSettings& settings) {

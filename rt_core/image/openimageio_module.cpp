@@ -1,6 +1,7 @@
 /// The module cardioid_images.so: all that touches OpenImageIO.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <string_view>
 
 #include "rt_core/image/image_codecs.hpp"
 
@@ -40,6 +41,11 @@ std::string encode(const std::string& path, const RawImage& image, std::vector<u
     spec.channelnames = image.channels;
     spec.attribute("oiio:ColorSpace", image.encoded ? "sRGB" : "Linear");
     spec.attribute("CompressionQuality", 95);
+    if (output->supports("channelformats"))
+        for (const bool half : image.half)
+            spec.channelformats.push_back(half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+    // Else an EXR file holds the time of day, and no two runs write the same.
+    if (std::string_view(output->format_name()) == "openexr") spec.attribute("DateTime", "1970:01:01 00:00:00");
     for (const auto& [name, text] : image.metadata) spec.attribute(name, text);
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const bool good = output->set_ioproxy(&memory) && output->open(path, spec) &&
