@@ -141,7 +141,7 @@ VolumeEstimate measure_volume(const Region& region, const Box3d& box, int grid, 
 
 Overlap measure_overlap(const Region& a, const Region& b, const Box3d& box, int grid, double least) {
     Overlap overlap;
-    double longest = 0, volume = 0;
+    double volume = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const LineGrid lines(box, axis, grid, static_cast<std::uint64_t>(axis));
         const Vec3d d = lines.direction();
@@ -152,7 +152,8 @@ Overlap measure_overlap(const Region& a, const Region& b, const Box3d& box, int 
                     const double begin = std::max(in_a.begin, in_b.begin), end = std::min(in_a.end, in_b.end);
                     if (end - begin <= least) continue;
                     volume += (end - begin) * lines.volume_per_length() / 3;
-                    if (end - begin > longest) longest = end - begin, overlap.where = o + d * ((begin + end) / 2);
+                    if (end - begin > overlap.depth)
+                        overlap.depth = end - begin, overlap.where = o + d * ((begin + end) / 2);
                 }
         }
     }

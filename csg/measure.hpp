@@ -32,7 +32,8 @@ VolumeEstimate measure_volume(const Region& region, const Box3d& box, int grid, 
 /// What two solids have in common.
 struct Overlap {
     double volume = 0;  ///< scene units^3, roughly
-    Vec3d where;        ///< middle of the longest stretch that was found inside both
+    double depth = 0;   ///< the longest stretch that was found inside both, scene units
+    Vec3d where;        ///< its middle
     [[nodiscard]] bool found() const { return volume > 0; }
 };
 

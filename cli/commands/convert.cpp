@@ -57,6 +57,7 @@ int run_convert(const std::vector<std::string>& words) {
     Arguments arguments("convert SCENE -o FILE [options]", "Writes a scene in another format.");
     arguments.text("-o,--output", "FILE", "What to write; its ending tells the format, - is standard output", output);
     add_scene_options(arguments, options);
+    add_format_settings(arguments, options);
     add_pov_options(arguments, write);
     add_mesh_options(arguments, write);
     arguments.examples(

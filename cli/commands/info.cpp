@@ -63,7 +63,7 @@ void add_area(const Region& whole, Json& json) {
 
 /// Volume and surface of the exact mesh, which has no error but that of its chords.
 void add_mesh_figures(const Scene& scene, Json& json) {
-    const TriangleMesh mesh = std::move(formats::scene_meshes(scene, 0, true)[0].mesh);
+    const TriangleMesh mesh = std::move(formats::scene_meshes(scene, {.one = true})[0].mesh);
     double area = 0;
     for (const auto& [a, b, c] : mesh.triangles)
         area += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
@@ -226,9 +226,11 @@ int run_info(const std::vector<std::string>& words) {
     Arguments arguments("info SCENE|IMAGE|MAP [options]",
                         "Tells what is in a scene or a photon map, or made a picture.");
     arguments.text("--json", "FILE", "Write it as JSON; - is standard output, in place of the text", json_file);
-    arguments.flag("--area", "Tell the area of the surface, too", wishes.area);
-    arguments.flag("--mesh", "Tell volume and area of the exact mesh, too", wishes.mesh);
+    arguments.flag("--volume,--mesh", "Tell volume and area of the exact mesh, too, beside the volume by rays",
+                   wishes.mesh);
+    arguments.flag("--area", "Tell the area of the surface by random lines, too", wishes.area);
     add_scene_options(arguments, options, "SCENE|IMAGE|MAP");
+    add_format_settings(arguments, options);
     if (!arguments.parse(words)) return 0;
     if (!json_file.empty()) check_text_path(json_file);
 

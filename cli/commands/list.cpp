@@ -5,6 +5,7 @@
 #include "cli/io/text_output.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/values.hpp"
+#include "formats/openscad/limits.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace cardioid::cli {
@@ -52,7 +53,8 @@ std::string options_text(const Registry& registry) {
     std::string text;
     for (const LightingKind& kind : registry.lighting())
         for (const ParamSpec& param : kind.params) text += param_line(std::string(kind.name) + ".", param);
-    return text.empty() ? "no lighting module has an option\n" : text;
+    for (const ParamSpec& param : formats::openscad::limit_specs()) text += param_line("csg.", param);
+    return text;
 }
 
 std::string formats_text(const Registry& registry) {

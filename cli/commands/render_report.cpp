@@ -6,6 +6,7 @@
 
 #include "cli/commands/energy_report.hpp"
 #include "cli/version.hpp"
+#include "csg/region/weld_counts.hpp"
 
 namespace cardioid::cli {
 namespace {
@@ -65,6 +66,12 @@ Json rays(const RenderStatistics& s) {
     return json;
 }
 
+/// Crossings of rays with faces that coincide: at one place, or within what six digits tell.
+Json coincident_faces() {
+    const csg::WeldCounts counts = csg::weld_counts();
+    return {{"exact", counts.exact}, {"welded", counts.welded}};
+}
+
 Json bad_samples(const RenderStatistics& s) {
     Json json{{"count", s.bad_samples}};
     if (s.bad_samples > 0) json["first_pixel"] = {s.first_bad_pixel[0], s.first_bad_pixel[1]};
@@ -93,10 +100,17 @@ std::string statistics_json(const RenderReport& report) {
     Json seconds = Json::object();
     for (const auto& [phase, time] : report.phases_s) seconds[phase] = time;
     seconds["render_cpu"] = s.cpu_seconds;
-    Json json{{"versions", versions()},      {"command", report.command}, {"interrupted", s.interrupted},
-              {"picture", picture(report)},  {"scene", scene(report)},    {"memory_bytes", memory(report)},
-              {"seconds", seconds},          {"rays", rays(s)},           {"bad_samples", bad_samples(s)},
-              {"lighting", lighting(report)}};
+    Json json{{"versions", versions()},
+              {"command", report.command},
+              {"interrupted", s.interrupted},
+              {"picture", picture(report)},
+              {"scene", scene(report)},
+              {"memory_bytes", memory(report)},
+              {"seconds", seconds},
+              {"rays", rays(s)},
+              {"bad_samples", bad_samples(s)},
+              {"lighting", lighting(report)},
+              {"coincident_faces", coincident_faces()}};
     if (report.energy) json["energy_W"] = energy_json(*report.energy);
     // A file name need not be UTF-8; JSON must.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -117,6 +131,9 @@ std::vector<std::string> statistics_lines(const RenderReport& report) {
     lines.push_back(times);
     lines.push_back(fmt::format("rays: {} camera, {} shadow, {} specular, {} of bounces", s.camera_rays, s.shadow_rays,
                                 s.specular_rays, s.bounce_rays));
+    if (const csg::WeldCounts welds = csg::weld_counts(); welds.exact + welds.welded > 0)
+        lines.push_back(fmt::format("coincident faces: {} crossings of faces at one place, {} of faces welded",
+                                    welds.exact, welds.welded));
     for (const auto& [name, value] : report.module.statistics())
         std::visit([&, &key = name](const auto& v) { lines.push_back(fmt::format("{}: {}", key, v)); }, value);
     if (report.energy)

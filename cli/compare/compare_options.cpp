@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/compare/limits_toml.hpp"
 #include "cli/io/scene_input.hpp"
 #include "cli/options/arguments.hpp"
 #include "cli/options/values.hpp"
@@ -30,8 +31,9 @@ PictureRegion to_region(const std::string& text) {
 class LimitsFile {
 public:
     LimitsFile(const std::string& path, CompareOptions& options) : path_(path), options_(options) {
+        const std::string text = read_text(path);
         try {
-            json_ = Json::parse(read_text(path));
+            json_ = path.ends_with(".toml") ? parse_limits_toml(path, text) : Json::parse(text);
         } catch (const Json::exception& error) {
             throw Error(ErrorCode::bad_input, fmt::format("{}: found no JSON: {}", path, error.what()));
         }
@@ -49,9 +51,9 @@ public:
             else if (key == "exposure")
                 options_.settings.exposure = number(key, value);
             else if (key == "grid")
-                options_.grid = static_cast<int>(number(key, value));
+                options_.grid = grid(value);
             else if (key == "skip-edges")
-                options_.settings.skip_edges = value.is_boolean() && value.get<bool>();
+                options_.settings.skip_edges = truth(key, value);
             else if (key != "proves" && key != "scene")
                 unknown(key, {"limits", "regions", "tolerance", "exposure", "grid", "skip-edges", "proves", "scene"});
         }
@@ -65,6 +67,15 @@ private:
     [[nodiscard]] double number(const std::string& key, const Json& value) const {
         if (!value.is_number()) fail(fmt::format("\"{}\" must be a number", key));
         return value.get<double>();
+    }
+    [[nodiscard]] int grid(const Json& value) const {
+        const double n = number("grid", value);
+        if (n != std::floor(n) || n < 1 || n > 64) fail("\"grid\" must be a whole number from 1 to 64");
+        return static_cast<int>(n);
+    }
+    [[nodiscard]] bool truth(const std::string& key, const Json& value) const {
+        if (!value.is_boolean()) fail(fmt::format("\"{}\" must be true or false", key));
+        return value.get<bool>();
     }
     void limits(const Json& json) {
         if (!json.is_object()) fail("\"limits\" must be an object");
@@ -158,7 +169,8 @@ std::optional<CompareOptions> parse_compare_options(const std::vector<std::strin
     Arguments arguments("compare A B [options]", "Tells by how much two pictures differ, and whether by too much.");
     std::vector<std::string> regions;
     add_options(arguments, options, regions);
-    arguments.text("--limits", "FILE", "Read limits and settings from a JSON file; options win", options.limits_file);
+    arguments.text("--limits", "FILE", "Read limits and settings from a .toml or JSON file; options win",
+                   options.limits_file);
     if (!arguments.parse(words)) return std::nullopt;
     for (const std::string& region : regions) options.settings.regions.push_back(to_region(region));
     return options;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 #include <sys/stat.h>
 #include <utility>
 
@@ -45,7 +46,31 @@ std::vector<std::string> readable_extensions(const Registry& registry) {
                                                   either(known), suggestion(extension, known)));
 }
 
+/// A setting of a format.
+struct FormatSetting {
+    std::string format, option, value;
+};
+
+/// Nothing where the setting is not one of a format.
+std::optional<FormatSetting> split_setting(const std::string& setting) {
+    const std::size_t dot = setting.find('.'), equals = setting.find('=');
+    if (dot == std::string::npos || equals == std::string::npos || equals < dot) return std::nullopt;
+    FormatSetting out{setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1), setting.substr(equals + 1)};
+    if (out.format != "brlcad" && out.format != "csg") return std::nullopt;
+    return out;
+}
+
+/// A .scad file is read as .csg.
+std::string_view settings_prefix(const Format& format) {
+    return std::string_view(format.name) == "scad" ? "csg" : format.name;
+}
+
 }  // namespace
+
+void add_format_settings(Arguments& arguments, SceneOptions& options) {
+    arguments.list("--set", "FORMAT.option=value", "An option or limit of a format; cardioid list options names them",
+                   options.settings);
+}
 
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& positional) {
     arguments.positional(positional, "File to read; - is standard input. Behind it: objects of a database to draw",
@@ -74,12 +99,9 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
 }
 
 void take_format_options(SceneOptions& options, std::vector<std::string>& settings, std::string* view) {
-    constexpr std::string_view prefix = "brlcad.";
     std::erase_if(settings, [&](const std::string& setting) {
-        const std::size_t equals = setting.find('=');
-        if (!setting.starts_with(prefix) || equals == std::string::npos || equals < prefix.size()) return false;
-        options.settings.emplace_back(setting.substr(prefix.size(), equals - prefix.size()),
-                                      setting.substr(equals + 1));
+        if (!split_setting(setting)) return false;
+        options.settings.push_back(setting);
         return true;
     });
     std::error_code ignored;  // of a name that is no file
@@ -150,7 +172,13 @@ Scene read_scene(const SceneOptions& options, const std::string& text, const Reg
                                 "seen by scripts",
                                 options.view_file));
     read.objects = options.objects;
-    if (format->has_objects) read.settings = options.settings;
+    for (const std::string& setting : options.settings) {
+        const auto split = split_setting(setting);
+        if (!split)
+            throw Error(ErrorCode::usage,
+                        fmt::format("--set {}: wanted FORMAT.option=value, such as {}", setting, "csg.minkowski=1e8"));
+        if (split->format == settings_prefix(*format)) read.settings.emplace_back(split->option, split->value);
+    }
     if (!options.view_file.empty()) {
         read.view_file = options.view_file == "-" ? "<stdin>" : options.view_file;
         read.view_text = read_text(options.view_file);

@@ -18,14 +18,17 @@ struct SceneOptions {
     bool unknown_is_warning = false;
     bool show_background = false;
     std::vector<std::string> plugins;
-    std::vector<std::string> objects;                           ///< named behind the file
-    std::vector<std::pair<std::string, std::string>> settings;  ///< of its format
-    std::string view_file;                                      ///< a view script
+    std::vector<std::string> objects;   ///< named behind the file
+    std::vector<std::string> settings;  ///< of formats, as FORMAT.option=value
+    std::string view_file;              ///< a view script
 };
 
-/// Takes `brlcad.option=value` out of the settings of lighting modules, and a view script out of --view: a file there
-/// is, in place of a view's name.
+/// Takes `brlcad.option=value` and `csg.option=value` out of the settings of lighting modules, and a view script out of
+/// --view: a file there is, in place of a view's name.
 void take_format_options(SceneOptions& options, std::vector<std::string>& settings, std::string* view);
+
+/// Adds --set for commands that have no lighting module: options of the format alone.
+void add_format_settings(Arguments& arguments, SceneOptions& options);
 
 /// Adds SCENE under the name `positional` and the options of SceneOptions.
 void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& positional = "SCENE");

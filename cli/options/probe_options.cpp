@@ -73,6 +73,7 @@ std::optional<ProbeOptions> parse_probe_options(const std::vector<std::string>& 
     add_message_options(arguments, options);
     arguments.examples(examples);
     if (!arguments.parse(words)) return std::nullopt;
+    take_format_options(options.scene, options.settings, nullptr);
     check(options);
     if (options.lighting.empty() && options.photons.empty()) options.lighting = fallback_lighting;
     if (options.output.empty() && options.json != "-") options.output = "-";

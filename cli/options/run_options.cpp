@@ -13,7 +13,7 @@ void add_lighting_options(Arguments& a, RunOptions& o, const std::string& fallba
            o.lighting);
     a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many", o.photons);
     a.flag("--no-photons", "Without photons, whatever the scene says", o.no_photons);
-    a.list("--set", "module.option=value", "An option of a lighting module; cardioid list options names them",
+    a.list("--set", "module.option=value", "An option of a lighting module or format; cardioid list options names them",
            o.settings);
     a.text("--save-map", "FILE", "Keep what the lighting module has made", o.save_map);
     a.text("--load-map", "FILE", "... and use it again", o.load_map);

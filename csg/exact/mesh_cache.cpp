@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changed whenever the same input may give another mesh.
-constexpr std::uint64_t format_number = 2;
+constexpr std::uint64_t format_number = 3;
 constexpr double worth_keeping_s = 0.5;
 constexpr std::uintmax_t most_bytes = std::uintmax_t{256} << 20;
 

@@ -48,7 +48,7 @@ Profile contours(const TriangleMesh& mesh, bool hair_above) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
             if (is_above(a) == is_above(b)) continue;
-            (is_above(b) ? up : down) = {std::min(a, b), std::max(a, b)};
+            (is_above(b) ? up : down) = Edge(std::min(a, b), std::max(a, b));
             ++crossings;
         }
         if (crossings == 2) links.emplace(up, down);

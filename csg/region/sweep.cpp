@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "csg/leaves/solvers.hpp"
+#include "csg/region/weld_counts.hpp"
 
 namespace cardioid::csg {
 namespace {
@@ -44,6 +45,7 @@ struct Sweep::Buffers {
     std::vector<Count> counts;
     std::vector<std::uint32_t> dirty;  ///< gates whose inputs have changed, the lowest first
     std::uint64_t ray = 0;
+    ThreadWeldCounts welds;
 
     Count& count_of(std::uint32_t number, const Gate& gate) noexcept {
         Count& count = counts[number];
@@ -297,10 +299,16 @@ bool Sweep::next(Boundary& out) noexcept {
         if (pending.empty() || pending.back().t >= end_) return false;
         const bool was = inside();
         take_tied();
-        if (inside() == was) continue;
+        if (inside() == was) {
+            if (buffers_.tied.size() > 1) buffers_.welds.add_exact();
+            continue;
+        }
         const Event face = owner();
         const Vec3d n = normal_of(face);
-        if (cancelled(face, n)) continue;
+        if (cancelled(face, n)) {
+            buffers_.welds.add_welded();
+            continue;
+        }
         const bool towards = dot(n, ray_.d) < 0;
         out = {face.t, towards != was ? n : -n, face.leaf, !was};
         return true;

@@ -19,9 +19,11 @@ void append(std::string& out, T value) {
     out.append(bytes.data(), bytes.size());
 }
 
+MeshWish wish(const WriteOptions& options, bool one) { return {options.tolerance, one, options.notes}; }
+
 /// Single precision, as STL has it; triangles of which two corners become one are left out, which leaves no hole.
 std::string write_stl(const Scene& scene, const WriteOptions& options) {
-    const TriangleMesh mesh = std::move(scene_meshes(scene, options.tolerance, true)[0].mesh);
+    const TriangleMesh mesh = std::move(scene_meshes(scene, wish(options, true))[0].mesh);
     std::string triangles;
     std::uint32_t count = 0;
     for (const auto& t : mesh.triangles) {
@@ -43,7 +45,7 @@ std::string write_stl(const Scene& scene, const WriteOptions& options) {
 }
 
 std::string write_off(const Scene& scene, const WriteOptions& options) {
-    const TriangleMesh mesh = std::move(scene_meshes(scene, options.tolerance, true)[0].mesh);
+    const TriangleMesh mesh = std::move(scene_meshes(scene, wish(options, true))[0].mesh);
     std::string out = fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
     for (const Vec3d v : mesh.vertices) out += fmt::format("{} {} {}\n", v.x, v.y, v.z);
     for (const auto& [a, b, c] : mesh.triangles) out += fmt::format("3 {} {} {}\n", a, b, c);
@@ -53,8 +55,8 @@ std::string write_off(const Scene& scene, const WriteOptions& options) {
 std::string write_obj(const Scene& scene, const WriteOptions& options) {
     std::string out = "# cardioid " CARDIOID_VERSION "\n";
     std::size_t first = 1;
-    for (const MeshPart& part : scene_meshes(scene, options.tolerance, false)) {
-        out += fmt::format("o {0}\nusemtl {0}\n", part.material);
+    for (const MeshPart& part : scene_meshes(scene, wish(options, false))) {
+        out += fmt::format("o {}\nusemtl {}\n", part.name, part.material);
         for (const Vec3d v : part.mesh.vertices) out += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
         for (const auto& [a, b, c] : part.mesh.triangles)
             out += fmt::format("f {} {} {}\n", first + a, first + b, first + c);
@@ -65,11 +67,11 @@ std::string write_obj(const Scene& scene, const WriteOptions& options) {
 
 /// Doubles, so that nothing is lost; a face knows the number of its material, whose names stand in comments.
 std::string write_ply(const Scene& scene, const WriteOptions& options) {
-    const std::vector<MeshPart> parts = scene_meshes(scene, options.tolerance, false);
+    const std::vector<MeshPart> parts = scene_meshes(scene, wish(options, false));
     std::string names, vertices, faces;
     std::size_t vertex_count = 0, face_count = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        names += fmt::format("comment material {} {}\n", i, parts[i].material);
+        names += fmt::format("comment material {} {}\n", i, parts[i].name);
         for (const Vec3d v : parts[i].mesh.vertices)
             append(vertices, v.x), append(vertices, v.y), append(vertices, v.z);
         for (const auto& t : parts[i].mesh.triangles) {
@@ -88,7 +90,7 @@ std::string write_ply(const Scene& scene, const WriteOptions& options) {
 }
 
 std::string write_three_mf(const Scene& scene, const WriteOptions& options) {
-    return three_mf_archive(scene_meshes(scene, options.tolerance, false));
+    return three_mf_archive(scene_meshes(scene, wish(options, false)));
 }
 
 constexpr std::array stl_extensions = {".stl"};

@@ -35,20 +35,55 @@ std::string name_of(const Scene& scene, std::uint32_t material) {
                : "material" + std::to_string(material);
 }
 
-}  // namespace
+void append(TriangleMesh& to, const TriangleMesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const auto& [a, b, c] : mesh.triangles) to.triangles.push_back({first + a, first + b, first + c});
+    to.closed = to.closed && mesh.closed;
+}
 
-std::vector<MeshPart> scene_meshes(const Scene& scene, double tolerance, bool one) {
-    SolidTree tree = scene.solids;
-    if (!(tolerance > 0)) tolerance = usual_tolerance(tree);
+std::vector<MeshPart> united_parts(const Scene& scene, SolidTree& tree, double tolerance, bool one) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> roots;
     for (const std::uint32_t root : tree.roots) roots[one ? 0 : material_of(tree, root)].push_back(root);
     std::vector<MeshPart> out;
-    try {
-        for (const auto& [material, nodes] : roots) {
-            MeshPart part{name_of(scene, material),
-                          csg::evaluate_mesh(tree, tree.add_node(SolidOp::unite, nodes), tolerance)};
-            if (!part.mesh.triangles.empty()) out.push_back(std::move(part));
+    for (const auto& [material, nodes] : roots) {
+        const std::string name = name_of(scene, material);
+        MeshPart part{name, name, csg::evaluate_mesh(tree, tree.add_node(SolidOp::unite, nodes), tolerance)};
+        if (!part.mesh.triangles.empty()) out.push_back(std::move(part));
+    }
+    return out;
+}
+
+std::vector<MeshPart> region_parts(const Scene& scene, double tolerance, const MeshWish& wish) {
+    std::vector<MeshPart> out;
+    for (std::size_t i = 0; i < scene.solids.roots.size(); ++i) {
+        const std::uint32_t root = scene.solids.roots[i];
+        MeshPart part{scene.names[i], name_of(scene, material_of(scene.solids, root)), {}};
+        try {
+            part.mesh = csg::evaluate_mesh(scene.solids, root, tolerance);
+        } catch (const Error& e) {
+            if (e.code() != ErrorCode::bad_input) throw;
+            if (wish.notes) wish.notes->push_back(scene.file + ": region " + part.name + " is left out: " + e.what());
+            continue;
         }
+        if (part.mesh.triangles.empty()) continue;
+        if (wish.one && !out.empty())
+            append(out[0].mesh, part.mesh);
+        else
+            out.push_back(std::move(part));
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<MeshPart> scene_meshes(const Scene& scene, const MeshWish& wish) {
+    SolidTree tree = scene.solids;
+    const double tolerance = wish.tolerance > 0 ? wish.tolerance : usual_tolerance(tree);
+    std::vector<MeshPart> out;
+    try {
+        out =
+            scene.names.empty() ? united_parts(scene, tree, tolerance, wish.one) : region_parts(scene, tolerance, wish);
     } catch (const Error& e) {
         throw Error(e.code(), scene.file + ": " + e.what());
     }

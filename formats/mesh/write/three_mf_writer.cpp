@@ -25,8 +25,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string object(const MeshPart& part, std::size_t id) {
-    std::string out =
-        fmt::format(R"(<object id="{}" type="model" name="{}"><mesh><vertices>)", id, escaped(part.material));
+    std::string out = fmt::format(R"(<object id="{}" type="model" name="{}"><mesh><vertices>)", id, escaped(part.name));
     for (const Vec3d v : part.mesh.vertices) out += fmt::format(R"(<vertex x="{}" y="{}" z="{}"/>)", v.x, v.y, v.z);
     out += "</vertices><triangles>";
     for (const auto& [a, b, c] : part.mesh.triangles)
