@@ -77,12 +77,13 @@ module sun(direction, irradiance, angle) {
     cardioid_call("sun", [["direction", direction], ["irradiance", irradiance], ["angle", angle]]);
 }
 
-module sky(radiance, file, rotation) {
-    cardioid_call("sky", [["radiance", radiance], ["file", file], ["rotation", rotation]]);
+module sky(radiance, file, rotation, cie, elevation) {
+    cardioid_call("sky", [["radiance", radiance], ["file", file], ["rotation", rotation], ["cie", cie],
+                          ["elevation", elevation]]);
 }
 
-module photons(count, mode) {
-    cardioid_call("photons", [["count", count], ["mode", mode]]);
+module photons(count, mode, error, caustic_count) {
+    cardioid_call("photons", [["count", count], ["mode", mode], ["error", error], ["caustic_count", caustic_count]]);
 }
 
 // Solids that OpenSCAD can show: Cardioid takes them as the true curves.

@@ -5,6 +5,7 @@
 
 #include "formats/openscad/evaluate/call_table.hpp"
 #include "formats/openscad/evaluate/evaluator.hpp"
+#include "formats/openscad/limits.hpp"
 #include "formats/openscad/run_openscad.hpp"
 #include "formats/openscad/scene_writer.hpp"
 #include "formats/openscad/syntax/parser.hpp"
@@ -19,7 +20,7 @@ std::string folder_of(const std::string& file) {
 }
 
 Scene read_csg(const std::string& text, const std::string& file, const ReadOptions& options) {
-    const openscad::Ast ast = openscad::parse(text, file);
+    const openscad::Ast ast = openscad::parse(text, file, openscad::limits_of(options).nesting);
     if (ast.calls.empty())
         throw Error(ErrorCode::bad_input, file + ":1:1: found an empty file, wanted calls such as sphere(r = 1);");
     return openscad::evaluate(ast, options, options.base_dir.empty() ? folder_of(file) : options.base_dir);

@@ -1,5 +1,6 @@
 #include "formats/openscad/run_openscad.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "formats/openscad/library_path.hpp"
 #include "rt_core/api/error.hpp"
 
 namespace cardioid::formats::openscad {
@@ -48,13 +50,33 @@ std::string read_all(const std::string& path) {
 constexpr int not_found = 127;  // what shells say too
 
 /// In the child: everything OpenSCAD says goes to `log`.
-[[noreturn]] void become_openscad(const char* output, const char* input, const char* log) {
+[[noreturn]] void become_openscad(const char* output, const char* input, const char* log, char** environment) {
     const int to_log = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (to_log < 0 || nothing < 0 || dup2(nothing, 0) < 0 || dup2(to_log, 1) < 0 || dup2(to_log, 2) < 0) _exit(126);
-    execlp("openscad", "openscad", "-o", output, input, static_cast<char*>(nullptr));
+    const std::array<const char*, 5> words{"openscad", "-o", output, input, nullptr};
+    execvpe("openscad", const_cast<char* const*>(words.data()), environment);
     _exit(errno == ENOENT ? not_found : 126);
 }
+
+/// Our environment, in which OpenSCAD finds cardioid.scad.
+class Environment {
+public:
+    Environment() {
+        if (const std::string path = library_search_path(); !path.empty()) path_ = "OPENSCADPATH=" + path;
+        for (char** entry = environ; *entry; ++entry)
+            if (path_.empty() || !std::string_view(*entry).starts_with("OPENSCADPATH=")) entries_.push_back(*entry);
+        if (!path_.empty()) entries_.push_back(path_.data());
+        entries_.push_back(nullptr);
+    }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+    [[nodiscard]] char** entries() { return entries_.data(); }
+
+private:
+    std::string path_;
+    std::vector<char*> entries_;
+};
 
 /// The exit status; 128 + the signal that ended it.
 int wait_for(pid_t child) {
@@ -87,9 +109,10 @@ Evaluated run_openscad(const std::string& text, const std::string& file) {
         input = fs::absolute(file).string();
     else
         std::ofstream(input, std::ios::binary) << text;
+    Environment environment;  // before the fork: a child of many threads must not allocate
     const pid_t child = fork();
     if (child < 0) throw Error(ErrorCode::io, "cannot start openscad: " + std::string(std::strerror(errno)));
-    if (child == 0) become_openscad(output.c_str(), input.c_str(), log.c_str());
+    if (child == 0) become_openscad(output.c_str(), input.c_str(), log.c_str(), environment.entries());
     const int status = wait_for(child);
     if (status == not_found)
         throw Error(ErrorCode::io, file +

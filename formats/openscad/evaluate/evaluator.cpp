@@ -24,7 +24,7 @@ public:
         : ast_(ast),
           options_(options),
           materials_(options.registry, warnings_),
-          shapes_{scene_.solids, options, base_dir, warnings_},
+          shapes_{scene_.solids, options, base_dir, warnings_, limits_of(options)},
           results_(shapes_),
           markers_(find_markers(ast)) {
         scene_.file = ast.file;

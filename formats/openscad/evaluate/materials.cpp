@@ -114,7 +114,28 @@ std::uint32_t MaterialTable::coloured(const Rgba& colour) {
 std::uint32_t MaterialTable::backdrop() { return coloured({0.5, 0.5, 0.5, 0.25}); }
 
 void MaterialTable::map_colour(const Rgba& colour, const std::string& material, const std::string& where) {
-    mapped_[key(colour)] = named(material, where);
+    mapped_[key(colour)] = {named(material, where), where};
+}
+
+/// Nothing has a colour that map_color() names: the model's colours are told, the nearest first.
+void MaterialTable::warn_of_unused(const ColourKey& colour, const std::string& where) const {
+    constexpr std::size_t most_told = 3;
+    const auto text = [](const ColourKey& c) {
+        return fmt::format("[{:.6g}, {:.6g}, {:.6g}, {:.6g}]", c[0] * 1e-6, c[1] * 1e-6, c[2] * 1e-6, c[3] * 1e-6);
+    };
+    const auto distance = [&](const ColourKey& c) {
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < 4; ++i) sum += std::abs(std::int64_t{c[i]} - colour[i]);
+        return sum;
+    };
+    std::vector<ColourKey> there;
+    for (const auto& [known, index] : by_colour_) there.push_back(known);
+    std::stable_sort(there.begin(), there.end(),
+                     [&](const ColourKey& a, const ColourKey& b) { return distance(a) < distance(b); });
+    std::string has;
+    for (std::size_t i = 0; i < std::min(there.size(), most_told); ++i) has += (i ? ", " : "") + text(there[i]);
+    if (there.size() > most_told) has += fmt::format(" and {} more", there.size() - most_told);
+    warnings_.add(where, "nothing has the colour " + text(colour) + "; the model has " + (has.empty() ? "none" : has));
 }
 
 void MaterialTable::finish(Scene& scene) {
@@ -128,7 +149,9 @@ void MaterialTable::finish(Scene& scene) {
     std::vector<std::uint32_t> to(materials_.size());
     for (std::uint32_t i = 0; i < to.size(); ++i) to[i] = i;
     for (const auto& [colour, index] : by_colour_)
-        if (const auto at = mapped_.find(colour); at != mapped_.end()) to[index] = at->second;
+        if (const auto at = mapped_.find(colour); at != mapped_.end()) to[index] = at->second.material;
+    for (const auto& [colour, mapped] : mapped_)
+        if (!by_colour_.contains(colour)) warn_of_unused(colour, mapped.where);
     for (Leaf& leaf : scene.solids.leaves)
         if (leaf.material != Leaf::no_material) leaf.material = to[leaf.material];
     scene.materials = std::move(materials_);

@@ -47,7 +47,13 @@ private:
     std::vector<std::string> first_used_;  ///< where, of each material; empty once it is defined
     std::unordered_map<std::string, std::uint32_t> by_name_;
     std::map<ColourKey, std::uint32_t> by_colour_;
-    std::map<ColourKey, std::uint32_t> mapped_;
+    struct Mapped {
+        std::uint32_t material;
+        std::string where;
+    };
+    void warn_of_unused(const ColourKey& colour, const std::string& where) const;
+
+    std::map<ColourKey, Mapped> mapped_;
 };
 
 }  // namespace cardioid::formats::openscad

@@ -56,18 +56,31 @@ private:
                            {args_.where(), frame_.ast->line(frame_.call->place)});
     }
 
+    /// Whether the children are one leaf without dents, of a kind that OpenSCAD has.
+    [[nodiscard]] bool is_convex() const {
+        const SolidNode& node = tree().nodes[nodes_[0]];
+        if (nodes_.size() > 1 || node.op != SolidOp::leaf) return false;
+        const Leaf& leaf = tree().leaves[node.first];
+        return leaf.kind == LeafKind::box || leaf.kind == LeafKind::sphere || leaf.kind == LeafKind::cone ||
+               (leaf.kind == LeafKind::mesh && context_.hulls.contains(leaf.data));
+    }
+
     void hull() {
+        if (is_convex()) return keep(Affine{});
         std::vector<Vec3d> points;
         for (const std::uint32_t node : nodes_) {
             const std::vector<Vec3d> more = csg::spanning_points(tree(), node, tolerance_);
             points.insert(points.end(), more.begin(), more.end());
         }
+        const std::size_t before = tree().meshes.size();
         add_mesh(csg::convex_hull(points));
+        if (tree().meshes.size() > before) context_.hulls.insert(static_cast<std::uint32_t>(before));
     }
 
     void minkowski() {
         if (nodes_.size() == 1) return keep(Affine{});
-        for (TriangleMesh& mesh : csg::minkowski(tree(), nodes_, tolerance_)) add_mesh(std::move(mesh));
+        for (TriangleMesh& mesh : csg::minkowski(tree(), nodes_, tolerance_, context_.limits.minkowski))
+            add_mesh(std::move(mesh));
     }
 
     void resize() {

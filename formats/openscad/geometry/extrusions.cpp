@@ -56,12 +56,11 @@ double circle_radius(const Affine& map) {
 }
 
 /// A mistaken twist or number of slices would fill the memory for minutes before anyone hears of it.
-void refuse_many_triangles(double triangles, const std::string& where) {
-    constexpr double most = 5e7;
+void refuse_many_triangles(double triangles, double most, const std::string& where) {
     if (triangles > most)
         throw Error(ErrorCode::limit, fmt::format("{}: linear_extrude() would make {:.0f} triangles, wanted at most "
-                                                  "{:.0f}: fewer slices or less twist",
-                                                  where, triangles, most));
+                                                  "{:.0f}: fewer slices or less twist, or --set csg.triangles={:.0f}",
+                                                  where, triangles, most, triangles));
 }
 
 /// A profile swept up: a prism where that can be met analytically, else a mesh.
@@ -69,7 +68,8 @@ std::optional<Shape> extruded(Profile profile, const csg::LinearExtrusion& how, 
                               ShapeContext& context) {
     const bool even = how.twist_deg == 0 && how.scale.x == how.scale.y && how.scale.x > 0;
     if (!even || edge_count(profile) > most_profile_edges) {
-        refuse_many_triangles(2.0 * csg::slice_count(profile, how) * static_cast<double>(edge_count(profile)), where);
+        refuse_many_triangles(2.0 * csg::slice_count(profile, how) * static_cast<double>(edge_count(profile)),
+                              context.limits.triangles, where);
         return make_mesh(csg::linear_extrude(profile, how), where, context);
     }
     const Affine local{{Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, how.height}}, {0, 0, how.centre ? how.height / -2 : 0}};

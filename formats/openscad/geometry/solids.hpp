@@ -1,12 +1,14 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 
 #include "csg/shapes/facets.hpp"
 #include "formats/openscad/evaluate/arguments.hpp"
 #include "formats/openscad/evaluate/call_table.hpp"
+#include "formats/openscad/limits.hpp"
 #include "rt_core/api/format.hpp"
 #include "rt_core/scene/solid.hpp"
 
@@ -26,7 +28,9 @@ struct ShapeContext {
     const ReadOptions& options;
     const std::string& base_dir;
     Warnings& warnings;
+    Limits limits{};
     std::unordered_map<std::string, std::uint32_t> mesh_files{};  ///< index into SolidTree::meshes by path
+    std::set<std::uint32_t> hulls{};                              ///< meshes that are convex by their making
     std::map<int, std::uint32_t> balls{};                         ///< faceted unit spheres by their facets
     std::map<int, std::uint32_t> cones{};                         ///< faceted unit cones
     std::map<int, std::uint32_t> discs{};                         ///< regular n-gons of radius 1: SolidTree::profiles

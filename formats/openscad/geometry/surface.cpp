@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "formats/mesh/mesh_file.hpp"
 #include "formats/mesh/text_cursor.hpp"
@@ -19,16 +20,22 @@ struct HeightMap {
     [[nodiscard]] double at(std::size_t x, std::size_t y) const { return heights[y * columns + x]; }
 };
 
-/// Corners and middles are numbered by 32 bits, and four triangles a cell fill memory.
-constexpr double most_cells = 5e7;
+/// Corners and middles of cells are numbered by 32 bits.
+constexpr double most_numbers = 2e9;
 
-void check_size(double columns, double rows, const std::string& path) {
-    if (columns * rows > most_cells)
-        throw Error(ErrorCode::limit, path + ": a height map of more than 50 million cells");
+/// Four triangles a cell fill memory.
+void check_size(double columns, double rows, double most_cells, const std::string& path) {
+    const double most = std::min(most_cells, most_numbers);
+    if (columns * rows > most)
+        throw Error(ErrorCode::limit,
+                    fmt::format("{}: found a height map of {:.0f} cells or more, wanted at most {:.0f}{}", path,
+                                columns * rows, most,
+                                most < most_numbers ? fmt::format(": fewer, or --set csg.cells={:.0f}", columns * rows)
+                                                    : std::string()));
 }
 
 /// Rows of numbers; '#' begins a comment; short rows are filled up with 0.
-HeightMap read_numbers(const std::string& path) {
+HeightMap read_numbers(const std::string& path, double most_cells) {
     const std::string bytes = read_bytes(path);
     TextCursor in(bytes, path);
     std::vector<std::vector<double>> rows;
@@ -40,7 +47,7 @@ HeightMap read_numbers(const std::string& path) {
         if (row.empty()) continue;
         out.columns = std::max(out.columns, row.size());
         rows.push_back(std::move(row));
-        check_size(static_cast<double>(out.columns), static_cast<double>(rows.size()), path);
+        check_size(static_cast<double>(out.columns), static_cast<double>(rows.size()), most_cells, path);
     }
     out.rows = rows.size();
     for (std::vector<double>& row : rows) {
@@ -51,12 +58,12 @@ HeightMap read_numbers(const std::string& path) {
 }
 
 /// Brightness as heights from 0 to 100, the last row at y = 0.
-HeightMap read_picture(const std::string& path, bool invert) {
+HeightMap read_picture(const std::string& path, bool invert, double most_cells) {
     const Film film = read_image(path);
     if (film.layers.empty()) throw Error(ErrorCode::bad_input, path + ": found a picture without channels");
     const Layer& layer = film.layers[0];
     HeightMap out{static_cast<std::size_t>(film.width), static_cast<std::size_t>(film.height), {}};
-    check_size(film.width, film.height, path);
+    check_size(film.width, film.height, most_cells, path);
     out.heights.resize(out.columns * out.rows);
     const auto channels = static_cast<std::size_t>(layer.channels);
     constexpr double share[] = {0.2126, 0.7152, 0.0722};  // of red, green and blue in what the eye sees (Rec. 709)
@@ -134,7 +141,8 @@ std::optional<Shape> make_surface(const Arguments& args, ShapeContext& context) 
     HeightMap map;
     try {
         const std::string path = path_of(name, context);
-        map = lower_extension(name) == ".png" ? read_picture(path, args.boolean("invert", false)) : read_numbers(path);
+        map = lower_extension(name) == ".png" ? read_picture(path, args.boolean("invert", false), context.limits.cells)
+                                              : read_numbers(path, context.limits.cells);
     } catch (const Error& e) {
         pass_over(e, args, context);
         return std::nullopt;

@@ -36,8 +36,13 @@ std::uint8_t modifier_bit(const Token& token) {
 /// Statements, with a stack of the calls that are open instead of recursion.
 class Parser {
 public:
-    Parser(std::string_view text, Ast& ast, bool marker)
-        : ast_(ast), lexer_(text, ast, marker), build_(ast), values_(lexer_, build_, token_), marker_(marker) {}
+    Parser(std::string_view text, Ast& ast, bool marker, std::size_t most_nested)
+        : ast_(ast),
+          lexer_(text, ast, marker),
+          build_(ast),
+          values_(lexer_, build_, token_),
+          marker_(marker),
+          most_nested_(most_nested) {}
 
     void run() {
         token_ = lexer_.next();
@@ -85,8 +90,9 @@ private:
         advance();
         if (name.spelling == "use" || name.spelling == "include") return library(name);
         if (is_program_word(name.spelling) || token_.is('=')) values_.program(name);
-        if (blocks_.size() > nesting_limit)
-            lexer_.fail(start, "found more than " + std::to_string(nesting_limit) + " calls inside one another");
+        if (blocks_.size() > most_nested_)
+            lexer_.fail(start, "found more than " + std::to_string(most_nested_) +
+                                   " calls inside one another; --set csg.nesting allows more");
         build_.open(name.spelling, modifiers != 0 ? start : name.place, modifiers);
         blocks_.push_back(true);
         arguments(name);
@@ -139,21 +145,22 @@ private:
     ValueParser values_;
     std::vector<bool> blocks_;  ///< of each open call: has it braces, or the next statement as its only child
     bool marker_;
+    std::size_t most_nested_;
 };
 
 }  // namespace
 
-Ast parse(std::string_view text, std::string file) {
+Ast parse(std::string_view text, std::string file, std::size_t most_nested) {
     Ast ast;
     ast.file = std::move(file);
-    Parser(text, ast, false).run();
+    Parser(text, ast, false, most_nested).run();
     return ast;
 }
 
 Ast parse_marker(std::string_view text, std::string where) {
     Ast ast;
     ast.origin = std::move(where);
-    Parser(text, ast, true).run();
+    Parser(text, ast, true, nesting_limit).run();
     return ast;
 }
 
