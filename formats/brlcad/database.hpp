@@ -50,11 +50,25 @@ enum class SolidKind : std::uint8_t {
     pipe,
     arbn,
     bot,
+    sketch,
+    extrude,
+    revolve,
     unsupported
 };
 
+/// A piece of a sketch's outline, between its corners.
+struct SketchCurve {
+    enum class Kind : std::uint8_t { line, arc, bezier } kind = Kind::line;
+    std::vector<std::uint32_t> corners{};  ///< both ends, or all that a Bezier curve has
+    double radius = 0;                     ///< of an arc [mm]; negative: a circle about the second through the first
+    bool centre_left = false;              ///< of an arc: seen from the first corner to the second
+    bool clockwise = false;                ///< of an arc
+};
+
 /// A primitive. `numbers` as in the binary format, lengths in mm; see solid_kinds.hpp for their order. A pipe has
-/// x y z, inner and outer diameter, bend radius a point; an arbn n and d a plane; a bot the corners.
+/// x y z, inner and outer diameter, bend radius a point; an arbn n and d a plane; a bot the corners; a sketch origin,
+/// both axes and its corners; an extrude origin, height and the axes of its sketch; a revolve origin, axis, start and
+/// angle.
 struct Solid {
     SolidKind kind = SolidKind::unsupported;
     std::vector<double> numbers;
@@ -63,6 +77,8 @@ struct Solid {
     int orientation = 1;                 ///< of a bot: 1 none, 2 counter-clockwise, 3 clockwise
     std::vector<double> thickness;       ///< of a bot's triangles where it is a plate [mm]
     std::string type;                    ///< BRL-CAD's name of the type, for messages
+    std::string sketch{};                ///< name of the sketch that is extruded or turned
+    std::vector<SketchCurve> curves{};   ///< of a sketch
 };
 
 struct Object {

@@ -2,6 +2,7 @@
 #include "formats/brlcad/look/rt_surface.hpp"
 
 #include <cmath>
+#include <map>
 
 #include "rt_core/math/sampling.hpp"
 
@@ -29,6 +30,9 @@ private:
     Rgb colour_;
 };
 
+/// Pixels along a side of an image.
+constexpr double most_pixels = 16384;
+
 constexpr ParamSpec params[] = {
     {"colour", ParamType::colour, "1", "of the region, as a display has it, 0 to 1"},
     {"shine", ParamType::number, "10", "sharpness of the highlight"},
@@ -38,10 +42,51 @@ constexpr ParamSpec params[] = {
     {"reflect", ParamType::number, "0", "share that is mirrored, 0 to 1"},
     {"index", ParamType::number, "1", "of refraction; 0 bends nothing"},
     {"flat", ParamType::number, "0", "1: the colour as it is, without light"},
+    {"around", ParamType::number, "0", "1: what rays see that meet nothing"},
+    {"texture", ParamType::text, "", "checker, cloud, testmap or image, in place of the colour"},
+    {"a", ParamType::colour, "1", "of a checker"},
+    {"b", ParamType::colour, "0", "of a checker"},
+    {"scale", ParamType::number, "2", "fields of a checker across"},
+    {"threshold", ParamType::number, "0.35", "where clouds begin"},
+    {"range", ParamType::number, "0.3", "from the thinnest to the thickest cloud"},
+    {"file", ParamType::text, "", "of an image: red, green, blue, a byte each, lowest row first"},
+    {"width", ParamType::number, "512", "of the image [pixels]"},
+    {"height", ParamType::number, "512", "of the image [pixels]"},
+    {"repeat", ParamType::vector, "[1, 1]", "of the image across u and v"},
+    {"chart", ParamType::vector, "[0]", "the primitive's own coordinates: kind and its numbers"},
     {"angle", ParamType::number, "180", "degrees around straight down that the light shines into"},
     {"light", ParamType::number, "0", "weight of the light this region is"},
     {"shadows", ParamType::number, "1", "0: that light has none"},
     {"place", ParamType::vector, "[0, 0, 0]", "where that light is"}};
+
+std::shared_ptr<const RtTexture> texture_of(const Params& given) {
+    static const std::map<std::string, RtTexture::Kind> kinds{{"checker", RtTexture::Kind::checker},
+                                                              {"cloud", RtTexture::Kind::cloud},
+                                                              {"testmap", RtTexture::Kind::testmap},
+                                                              {"image", RtTexture::Kind::image}};
+    const std::string name = given.text("texture");
+    if (name.empty()) return nullptr;
+    const auto kind = kinds.find(name);
+    if (kind == kinds.end()) given.wrong("texture", "checker, cloud, testmap or image");
+    auto out = std::make_shared<RtTexture>();
+    out->kind = kind->second;
+    out->a = given.colour("a", Rgb(1), 0, 1), out->b = given.colour("b", Rgb(0), 0, 1);
+    out->scale = given.number("scale", 2, 0, 1e6);
+    out->threshold = given.number("threshold", 0.35, -1e6, 1e6);
+    out->range = given.number("range", 0.3, 1e-6, 1e6);
+    out->width = static_cast<std::size_t>(given.number("width", 512, 1, most_pixels));
+    out->height = static_cast<std::size_t>(given.number("height", 512, 1, most_pixels));
+    if (const auto r = given.vector("repeat", 2)) out->repeat_u = (*r)[0], out->repeat_v = (*r)[1];
+    // rt shows u and v where the picture is missing.
+    if (out->kind == RtTexture::Kind::image && !out->load(given.text("file"))) out->kind = RtTexture::Kind::testmap;
+    return out;
+}
+
+UvChart chart_of(const Params& given) {
+    for (const auto& [name, value] : given.all())
+        if (name == "chart") return UvChart(value.numbers);
+    return {};
+}
 
 std::shared_ptr<const Shader> make(const ShaderInputs& in) {
     const auto number = [&](const char* name, double fallback, double most) {
@@ -56,6 +101,9 @@ std::shared_ptr<const Shader> make(const ShaderInputs& in) {
     finish.reflect = number("reflect", 0, 1);
     finish.index = number("index", 1, 10);
     finish.flat = number("flat", 0, 1) > 0;
+    finish.around = number("around", 0, 1) > 0;
+    finish.texture = texture_of(in.params);
+    finish.chart = chart_of(in.params);
     finish.beam_cosine = std::cos(number("angle", 180, 180) * (pi / 180));
     finish.light = number("light", 0, 1e6);
     finish.shadows = number("shadows", 1, 1) > 0;

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "formats/brlcad/read/byte_reader.hpp"
 #include "formats/brlcad/read/readers.hpp"
 #include "formats/brlcad/solid_kinds.hpp"
@@ -7,6 +9,9 @@ namespace cardioid::formats::brlcad {
 namespace {
 
 constexpr int arbn_minor = 14, pipe_minor = 15, sphere_minor = 10, bot_minor = 30;
+constexpr int sketch_minor = 26, extrude_minor = 27, revolve_minor = 40;
+/// What a curve of a sketch begins with: its kind in four letters.
+constexpr std::uint64_t line_magic = 0x6C736567, arc_magic = 0x63617263, bezier_magic = 0x62657A69;
 
 void reals(ByteReader& in, std::uint64_t n, const char* what, std::vector<double>& out) {
     if (n > in.left() / 8) in.fail(fmt::format("found {} bytes, wanted {} numbers of {}", in.left(), n, what));
@@ -48,6 +53,62 @@ Solid bot(ByteReader in) {
     return out;
 }
 
+std::uint32_t corner_of(ByteReader& in, std::uint64_t corners) {
+    const std::uint64_t corner = in.whole(2, "a sketch's curve");
+    if (corner >= corners) in.fail(fmt::format("found corner {}, wanted one below {}", corner, corners));
+    return static_cast<std::uint32_t>(corner);
+}
+
+/// Nothing where the curve is of a kind that is not read, as its length is not known.
+std::optional<SketchCurve> curve(ByteReader& in, std::uint64_t corners) {
+    const std::uint64_t magic = in.whole(2, "a sketch's curve");
+    SketchCurve out;
+    if (magic == line_magic || magic == arc_magic) {
+        for (int i = 0; i < 2; ++i) out.corners.push_back(corner_of(in, corners));
+        if (magic == line_magic) return out;
+        out.kind = SketchCurve::Kind::arc;
+        out.clockwise = in.whole(2, "an arc") != 0;
+        out.centre_left = in.whole(2, "an arc") != 0;
+        out.radius = in.real("an arc");
+        return out;
+    }
+    if (magic != bezier_magic) return std::nullopt;
+    out.kind = SketchCurve::Kind::bezier;
+    const std::uint64_t degree = in.whole(2, "a curve's degree");
+    if (degree >= in.left() / 4) in.fail(fmt::format("found a curve of degree {} in {} bytes", degree, in.left()));
+    for (std::uint64_t i = 0; i <= degree; ++i) out.corners.push_back(corner_of(in, corners));
+    return out;
+}
+
+Solid sketch(ByteReader in) {
+    Solid out{.kind = SolidKind::sketch, .type = "sketch"};
+    reals(in, 9, "a sketch", out.numbers);
+    const std::uint64_t corners = in.whole(2, "a sketch's corners"), curves = in.whole(2, "a sketch's curves");
+    if (corners > in.left() / 16) in.fail(fmt::format("found {} bytes, wanted {} corners", in.left(), corners));
+    reals(in, corners * 2, "a sketch", out.numbers);
+    for (std::uint64_t i = 0; i < curves; ++i) {
+        std::optional<SketchCurve> next = curve(in, corners);
+        if (!next) return {.type = "sketch with a curve other than line, arc and bezier"};
+        out.curves.push_back(std::move(*next));
+    }
+    return out;
+}
+
+Solid extrude(ByteReader in) {
+    Solid out{.kind = SolidKind::extrude, .type = "extrude"};
+    reals(in, 12, "an extrude", out.numbers);
+    static_cast<void>(in.whole(2, "an extrude's key point"));
+    out.sketch = in.text("a sketch's name");
+    return out;
+}
+
+Solid revolve(ByteReader in) {
+    Solid out{.kind = SolidKind::revolve, .type = "revolve"};
+    reals(in, 10, "a revolve", out.numbers);
+    out.sketch = in.text("a sketch's name");
+    return out;
+}
+
 }  // namespace
 
 Solid read_body(int minor, std::string_view body, const std::string& file, std::size_t offset) {
@@ -55,6 +116,9 @@ Solid read_body(int minor, std::string_view body, const std::string& file, std::
     if (minor == pipe_minor) return pipe(in);
     if (minor == arbn_minor) return arbn(in);
     if (minor == bot_minor) return bot(in);
+    if (minor == sketch_minor) return sketch(in);
+    if (minor == extrude_minor) return extrude(in);
+    if (minor == revolve_minor) return revolve(in);
     const SolidRow* row = find_row_by_minor(minor == sphere_minor ? 3 : minor);
     if (!row) return {.type = minor_name(minor)};
     Solid out{.kind = row->kind, .type = row->name};

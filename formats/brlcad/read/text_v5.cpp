@@ -70,6 +70,9 @@ private:
         if (type == "pipe") return pipe();
         if (type == "arbn") return arbn();
         if (type == "bot") return bot();
+        if (type == "sketch") return sketch();
+        if (type == "extrude") return of_sketch(SolidKind::extrude, type, {"V", "H", "A", "B"}, "S");
+        if (type == "revolve") return of_sketch(SolidKind::revolve, type, {"V", "axis", "R", "ang"}, "sk_name");
         const bool is_arb = type == "arb4" || type == "arb5" || type == "arb6" || type == "arb7";
         const SolidRow* row = find_row(is_arb ? "arb8" : type == "sph" ? "ell" : type);
         if (!row) return {.type = type};
@@ -167,6 +170,64 @@ private:
             }
             if (corners.size() % 3) fail(f->offset, "found triangles that are no triples");
         }
+        return out;
+    }
+
+    Solid of_sketch(SolidKind kind, const std::string& type, std::initializer_list<const char*> keys,
+                    const char* name) const {
+        Solid out{.kind = kind, .type = type};
+        for (const char* key : keys) {
+            const TclWord* found = value_of(key);
+            if (!found) fail(words_[2].offset, fmt::format("found {} without {}", type, key));
+            append_numbers(*found, std::string_view(key) == "ang" ? 1 : 3, out.numbers);
+        }
+        if (const TclWord* found = value_of(name)) out.sketch = found->text;
+        return out;
+    }
+
+    Solid sketch() const {
+        Solid out{.kind = SolidKind::sketch, .type = "sketch"};
+        for (const char* key : {"V", "A", "B"}) {
+            const TclWord* found = value_of(key);
+            if (!found) fail(words_[2].offset, fmt::format("found sketch without {}", key));
+            append_numbers(*found, 3, out.numbers);
+        }
+        if (const TclWord* corners = value_of("VL")) append_numbers(*corners, 0, out.numbers);
+        if (out.numbers.size() % 2 == 0) fail(words_[2].offset, "found corners of a sketch that are no pairs");
+        const TclWord* list = value_of("SL");
+        if (!list) return out;
+        for (const TclWord& word : list_of(*list)) {
+            const std::vector<TclWord> parts = list_of(word);
+            if (parts.empty()) continue;
+            const std::string& kind = parts[0].text;
+            if (kind != "line" && kind != "carc" && kind != "bezier")
+                return {.type = fmt::format("sketch with a curve \"{}\"", kind.substr(0, 20))};
+            out.curves.push_back(curve(parts, (out.numbers.size() - 9) / 2));
+        }
+        return out;
+    }
+
+    /// line S 0 E 1; carc S 0 E 1 R 5 L 1 O 0; bezier D 2 P {0 1 2}.
+    SketchCurve curve(const std::vector<TclWord>& parts, std::size_t corners) const {
+        SketchCurve out;
+        if (parts[0].text == "carc") out.kind = SketchCurve::Kind::arc;
+        if (parts[0].text == "bezier") out.kind = SketchCurve::Kind::bezier;
+        const auto corner = [&](const TclWord& at) {
+            const long i = whole(at);
+            if (i < 0 || static_cast<std::size_t>(i) >= corners)
+                fail(at.offset, fmt::format("found corner {}, wanted one below {}", i, corners));
+            out.corners.push_back(static_cast<std::uint32_t>(i));
+        };
+        for (std::size_t i = 1; i + 1 < parts.size(); i += 2) {
+            const std::string& key = parts[i].text;
+            if (key == "S" || key == "E") corner(parts[i + 1]);
+            if (key == "P")
+                for (const TclWord& at : list_of(parts[i + 1])) corner(at);
+            if (key == "R") out.radius = number(parts[i + 1]);
+            if (key == "L") out.centre_left = whole(parts[i + 1]) != 0;
+            if (key == "O") out.clockwise = whole(parts[i + 1]) != 0;
+        }
+        if (out.corners.size() < 2) fail(parts[0].offset, "found a curve without both of its ends");
         return out;
     }
 

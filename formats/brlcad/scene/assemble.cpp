@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "formats/brlcad/scene/charts.hpp"
 #include "formats/brlcad/scene/looks.hpp"
 #include "formats/brlcad/scene/regions.hpp"
 #include "formats/brlcad/scene/rt_look.hpp"
@@ -45,14 +46,14 @@ void check_objects(const Database& database, const std::vector<std::string>& obj
 }
 
 /// Materials by look, each once; those that depend on the size of their region are one for each.
-class Materials {
+class Materials final : public Surfaces {
 public:
     Materials(Scene& scene, Look look) : scene_(scene), look_(look) {
         scene_.materials.push_back(make({}));
         scene_.materials.back().name = "default";
     }
 
-    std::uint32_t index_of(const RegionLook& given) {
+    std::uint32_t of_region(const RegionLook& given) override {
         RegionLook look = given;
         look.region_id = 0;  // its colour is in the look already
         const std::string key = key_of(look);
@@ -64,6 +65,17 @@ public:
         material.name = own ? fmt::format("{} #{}", key, index) : key;
         scene_.materials.push_back(std::move(material));
         if (!own) known_.emplace(key, index);
+        return index;
+    }
+
+    /// A texture follows the coordinates of the solid it is on.
+    std::uint32_t of_solid(std::uint32_t material, const Solid& solid, const Affine& place) override {
+        if (!scene_.materials[material].params.has("texture") || look_ != Look::rt) return material;
+        const auto index = static_cast<std::uint32_t>(scene_.materials.size());
+        MaterialSettings own = scene_.materials[material];
+        own.name += fmt::format(" #{}", index);
+        own.params.set("chart", ParamValue{.numbers = chart_of(solid, place), .list = true});
+        scene_.materials.push_back(std::move(own));
         return index;
     }
 
@@ -99,9 +111,8 @@ Scene assemble(Database database, const std::string& file, const ReadOptions& op
     check_objects(database, options.objects, file);
     Materials materials(scene, look);
     std::vector<std::string> warnings;
-    std::vector<Region> regions = collect_regions(
-        database, options.objects.empty() ? scene.tops : options.objects,
-        [&](const RegionLook& l) { return materials.index_of(l); }, scene.solids, warnings);
+    std::vector<Region> regions = collect_regions(database, options.objects.empty() ? scene.tops : options.objects,
+                                                  materials, scene.solids, warnings);
     scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
     if (look == Look::rt)
         finish_rt(scene, regions);

@@ -31,9 +31,8 @@ using Node = std::optional<std::uint32_t>;
 
 class Walker {
 public:
-    Walker(const Database& database, const std::function<std::uint32_t(const RegionLook&)>& material, SolidTree& tree,
-           std::vector<std::string>& warnings)
-        : database_(database), material_(material), tree_(tree), warnings_(warnings) {}
+    Walker(const Database& database, Surfaces& surfaces, SolidTree& tree, std::vector<std::string>& warnings)
+        : database_(database), surfaces_(surfaces), tree_(tree), warnings_(warnings) {}
 
     std::vector<Region> regions_of(const std::string& name) { return above(name, {}); }
 
@@ -151,7 +150,7 @@ private:
         out.path += "/" + object.name;
         out.look = state.look;
         finish(out.look);
-        out.material = current_material_ = material_(out.look);
+        out.material = current_material_ = surfaces_.of_region(out.look);
         const Node node = object.combination ? tree_of(object, state.place) : solid(object, state.place);
         if (!node) return {};
         out.node = *node;
@@ -159,7 +158,7 @@ private:
     }
 
     Node solid(const Object& object, const Affine& place) {
-        SolidTarget target{tree_, place, current_material_};
+        SolidTarget target{tree_, place, surfaces_.of_solid(current_material_, object.solid, place), &database_};
         const Node node = add_solid(target, object.solid);
         if (!target.note.empty())
             warn(object.name, fmt::format("{}: solid \"{}\" {}", object.place, object.name, target.note));
@@ -195,7 +194,7 @@ private:
     }
 
     const Database& database_;
-    const std::function<std::uint32_t(const RegionLook&)>& material_;
+    Surfaces& surfaces_;
     SolidTree& tree_;
     std::vector<std::string>& warnings_;
     std::set<std::string> warned_;
@@ -207,9 +206,8 @@ private:
 }  // namespace
 
 std::vector<Region> collect_regions(const Database& database, const std::vector<std::string>& objects,
-                                    const std::function<std::uint32_t(const RegionLook&)>& material, SolidTree& tree,
-                                    std::vector<std::string>& warnings) {
-    Walker walker(database, material, tree, warnings);
+                                    Surfaces& surfaces, SolidTree& tree, std::vector<std::string>& warnings) {
+    Walker walker(database, surfaces, tree, warnings);
     std::vector<Region> out;
     for (const std::string& name : objects) {
         std::vector<Region> more = walker.regions_of(name);

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +24,21 @@ struct Region {
     std::uint32_t node = 0;  ///< of the solid
 };
 
+/// Who gives surfaces to what the combinations name.
+class Surfaces {
+public:
+    virtual ~Surfaces() = default;
+    /// The material of a region; asked once for each, before its leaves are made.
+    virtual std::uint32_t of_region(const RegionLook& look) = 0;
+    /// That of one solid of it, given the region's.
+    virtual std::uint32_t of_solid(std::uint32_t material, const Solid& solid, const Affine& place) = 0;
+};
+
 /// Follows the combinations below the named objects down to solids; what they say wrong or what is not supported is a
-/// warning, once for each object. material(look) is asked once for each region before its leaves are made. Throws
+/// warning, once for each object. Throws
 /// Error(limit) where combinations multiply past ten million members.
 std::vector<Region> collect_regions(const Database& database, const std::vector<std::string>& objects,
-                                    const std::function<std::uint32_t(const RegionLook&)>& material, SolidTree& tree,
-                                    std::vector<std::string>& warnings);
+                                    Surfaces& surfaces, SolidTree& tree, std::vector<std::string>& warnings);
 
 /// Objects that no combination has as a member, in the order of their names.
 std::vector<std::string> top_objects(const Database& database);

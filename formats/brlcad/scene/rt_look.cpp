@@ -37,6 +37,41 @@ double intensity(const Region& region) {
     return std::max(parse_shader(region.look.shader).number({"bright", "b", "inten"}, 1), 0.0);
 }
 
+/// The texture of a shader, and whether it is shown without light: where it is not within a stack below a surface.
+void set_texture(const ShaderText& shader, Params& params) {
+    const auto named = [&](const char* name) {
+        return shader.name == name ||
+               std::find(shader.others.begin(), shader.others.end(), name) != shader.others.end();
+    };
+    const auto colour = [&](const char* key, double fallback) {
+        std::vector<double> v = shader.triple(key);
+        if (v.empty()) v.assign(3, fallback);
+        const auto channel = [&](std::size_t i) { return static_cast<float>(std::clamp(v[i], 0.0, 255.0) / 255); };
+        params.set(key, Rgb(channel(0), channel(1), channel(2)));
+    };
+    const auto number = [&](const char* name, const char* key, double fallback, double least, double most) {
+        params.set(name, std::clamp(shader.number({key}, fallback), least, most));
+    };
+    const char* kind = named("checker")   ? "checker"
+                       : named("cloud")   ? "cloud"
+                       : named("testmap") ? "testmap"
+                       : named("texture") ? "image"
+                                          : nullptr;
+    if (!kind) return;
+    params.set("texture", std::string(kind));
+    colour("a", 255);
+    colour("b", 0);
+    number("scale", "s", 2, 0, 1e6);
+    number("threshold", "thresh", 0.35, -1e6, 1e6);
+    number("range", "range", 0.3, 1e-6, 1e6);
+    number("width", "w", 512, 1, 16384);
+    number("height", "n", shader.number({"l"}, shader.number({"w"}, 512)), 1, 16384);
+    const auto file = shader.values.find("file");
+    if (file != shader.values.end()) params.set("file", file->second);
+    if (shader.name == "checker" || shader.name == "cloud" || shader.name == "testmap" || shader.name == "texture")
+        params.set("flat", 1.0);
+}
+
 }  // namespace
 
 MaterialSettings rt_material(const RegionLook& look) {
@@ -55,22 +90,14 @@ MaterialSettings rt_material(const RegionLook& look) {
     set("transmit", {"tr", "transmit"}, row->tr, 1);
     set("reflect", {"re", "reflect"}, row->re, 1);
     set("index", {"ri"}, row->ri, 10);
-    if (shader.name == "checker") {
-        // Fields follow the surface's own coordinates, which solids do not have here: their mean stands for both.
-        std::vector<double> a = shader.triple("a"), b = shader.triple("b");
-        if (a.empty()) a = {255, 255, 255};
-        if (b.empty()) b = {0, 0, 0};
-        const auto mean = [&](std::size_t i) { return static_cast<float>(std::clamp((a[i] + b[i]) / 510, 0.0, 1.0)); };
-        out.params.set("colour", Rgb(mean(0), mean(1), mean(2)));
-        out.params.set("flat", 1.0);
-    }
-    if (shader.name == "cloud" || shader.name == "testmap" || shader.name == "texture") out.params.set("flat", 1.0);
+    set_texture(shader, out.params);
     return out;
 }
 
 void finish_rt(Scene& scene, std::vector<Region>& regions) {
     std::erase_if(regions, [&](const Region& region) {
         const ShaderText shader = parse_shader(region.look.shader);
+        if (shader.name == "envmap") scene.materials[region.material].params.set("around", 1.0);
         return shader.name == "envmap" || shader.name == "air";
     });
     double brightest = 0;

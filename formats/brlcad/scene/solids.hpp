@@ -12,7 +12,8 @@ struct SolidTarget {
     SolidTree& tree;
     Affine place;  ///< of the solid's space in the world
     std::uint32_t material = 0;
-    std::string note{};  ///< gets why there is no solid, or what of it is approximate
+    const Database* database = nullptr;  ///< where solids find their sketches
+    std::string note{};                  ///< gets why there is no solid, or what of it is approximate
 };
 
 /// Adds a solid to the tree and returns its node; nothing, with a note, where it has no volume or is not supported.
@@ -31,5 +32,7 @@ std::optional<std::uint32_t> add_arb8(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_arbn(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_bot(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_pipe(SolidTarget& target, const Solid& solid);
+std::optional<std::uint32_t> add_extrude(SolidTarget& target, const Solid& solid);
+std::optional<std::uint32_t> add_revolve(SolidTarget& target, const Solid& solid);
 
 }  // namespace cardioid::formats::brlcad
