@@ -3,25 +3,11 @@
 #include <algorithm>
 #include <bit>
 
+#include "bench/nearest_heap.hpp"
+
 namespace cardioid::bench {
 
 using photon::Photon;
-
-namespace {
-
-/// It becomes a heap only once k are found.
-void insert(float* heap, std::uint32_t& found, std::uint32_t k, float d2) {
-    if (found < k) {
-        heap[found++] = d2;
-        if (found == k) std::make_heap(heap, heap + k);
-        return;
-    }
-    std::pop_heap(heap, heap + k);
-    heap[k - 1] = d2;
-    std::push_heap(heap, heap + k);
-}
-
-}  // namespace
 
 PhotonHeap::PhotonHeap(std::vector<Photon> photons) : photons_(photons.size() + 1) {
     balance(photons, 1, 0, photons.size());
@@ -62,7 +48,7 @@ std::uint32_t PhotonHeap::nearest(Vec3 p, std::uint32_t k, float max_d2, float* 
             const Vec3 d = photon.p - p;
             const float d2 = dot(d, d);
             if (d2 < max_d2) {
-                insert(heap, found, k, d2);
+                keep_nearest(heap, found, k, d2);
                 if (found == k) max_d2 = heap[0];
             }
             const float beyond = p[axis(node)] - photon.p[axis(node)];

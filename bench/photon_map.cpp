@@ -7,6 +7,7 @@
 
 #include "bench/photon_clouds.hpp"
 #include "bench/photon_heap.hpp"
+#include "bench/photon_octree.hpp"
 #if defined(CARDIOID_NANOFLANN)
 #include "bench/nano_map.hpp"
 #endif
@@ -54,7 +55,7 @@ private:
 /// Whole lookups: irradiance by each rule.
 class Lookups {
 public:
-    explicit Lookups(const PhotonCloud& cloud) : map_(cloud.photons, {}, 1) {}
+    explicit Lookups(const PhotonCloud& cloud) : map_(cloud.photons, {}, 1) { map_.spread({.k = 150}); }
     float look(const Place& at, const photon::LookupRule& rule) const {
         SurfacePoint point;
         point.p = Vec3d(at.p);
@@ -66,17 +67,20 @@ private:
     photon::PhotonMap map_;
 };
 
-/// The left-balanced heap.
-class HeapMap {
+/// The left-balanced heap, and the octree.
+template <class Tree>
+class PlainMap {
 public:
-    explicit HeapMap(const PhotonCloud& cloud) : heap_(cloud.photons) {}
-    std::uint32_t nearest(Vec3 p, std::uint32_t k) { return heap_.nearest(p, k, HUGE_VALF, d2_); }
+    explicit PlainMap(const PhotonCloud& cloud) : tree_(cloud.photons) {}
+    std::uint32_t nearest(Vec3 p, std::uint32_t k) { return tree_.nearest(p, k, HUGE_VALF, d2_); }
     std::uint32_t one(Vec3 p) { return nearest(p, 1); }
 
 private:
-    PhotonHeap heap_;
+    Tree tree_;
     float d2_[Neighbours::max_k];
 };
+using HeapMap = PlainMap<PhotonHeap>;
+using OctreeMap = PlainMap<PhotonOctree>;
 
 /// A cloud and the structures over it, made when first asked for.
 struct Subject {
@@ -88,6 +92,7 @@ struct Subject {
     std::unique_ptr<OurMap<2>> second_{};
     std::unique_ptr<Lookups> lookups_{};
     std::unique_ptr<HeapMap> heap_{};
+    std::unique_ptr<OctreeMap> octree_{};
 #if defined(CARDIOID_NANOFLANN)
     std::unique_ptr<NanoMap> nano_{};
 #endif
@@ -163,6 +168,9 @@ void register_subject(const std::string& name, Subject& s) {
     add_build<HeapMap>("photon_heap/" + name, s);
     add_queries("photon_heap/" + name + "/k50", s, &Subject::heap_, fifty);
     add_queries("photon_heap/" + name + "/k1", s, &Subject::heap_, one);
+    add_build<OctreeMap>("photon_octree/" + name, s);
+    add_queries("photon_octree/" + name + "/k50", s, &Subject::octree_, fifty);
+    add_queries("photon_octree/" + name + "/k1", s, &Subject::octree_, one);
 }
 
 const std::size_t growth[] = {10'000, 100'000, 10'000'000};
@@ -182,8 +190,8 @@ void register_photon_map_benchmarks() {
     using photon::EdgeRule, photon::Kernel;
     add_queries("photon_map/walls/irradiance50", s, &Subject::lookups_, look({.edge = EdgeRule::none}));
     add_queries("photon_map/walls/irradiance50_hull", s, &Subject::lookups_, look({.edge = EdgeRule::hull}));
-    add_queries("photon_map/walls/irradiance500_even", s, &Subject::lookups_,
-                look({.k = 500, .adapt = true, .kernel = Kernel::cone, .edge = EdgeRule::none}));
+    add_queries("photon_map/walls/irradiance150_spread", s, &Subject::lookups_,
+                look({.k = 150, .spread = true, .kernel = Kernel::cone, .edge = EdgeRule::none}));
     add_queries("photon_map/walls/k50/plain", s, &Subject::plain_, fifty);
     add_queries("photon_map/walls/k50/second", s, &Subject::second_, fifty);
     const float radius = s.radius;

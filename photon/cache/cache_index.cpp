@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "rt_core/api/parallel.hpp"
 
 namespace cardioid::photon {
 
@@ -9,6 +12,8 @@ namespace {
 
 /// Balls that a leaf may hold without being split further.
 constexpr std::size_t few = 8;
+/// Balls that several threads are worth waking for.
+constexpr std::size_t many = 1000;
 /// A place that no ball reaches.
 constexpr float nowhere = 1e30F;
 
@@ -34,15 +39,49 @@ unsigned touched_parts(const Reach& ball, Vec3 lo, Vec3 middle, Vec3 hi) {
 
 class CacheIndex::Builder {
 public:
-    Builder(CacheIndex& index, std::span<const Reach> reaches) : index_(index), reaches_(reaches) {}
+    explicit Builder(std::span<const Reach> reaches) : reaches_(reaches) { nodes_.emplace_back(); }
 
-    void build() {
-        members_.resize(reaches_.size());
-        for (std::size_t i = 0; i < members_.size(); ++i) members_[i] = static_cast<std::uint32_t>(i);
-        split(0, index_.root_, 0, 0);
+    /// The tree of the members below a cell of that depth.
+    void build(std::vector<std::uint32_t> members, const Cell& cell, int depth) {
+        members_ = std::move(members);
+        split(0, cell, 0, depth);
+    }
+    /// The same of all balls, each eighth of the cell by itself.
+    void build_in_parts(const Cell& cell) {
+        const float half = cell.size / 2;
+        const Vec3 middle = cell.lo + Vec3{half, half, half}, hi = middle + Vec3{half, half, half};
+        std::vector<std::uint32_t> members[8];
+        for (std::uint32_t i = 0; i < reaches_.size(); ++i)
+            for (unsigned touched = touched_parts(reaches_[i], cell.lo, middle, hi); touched != 0;
+                 touched &= touched - 1)
+                members[std::countr_zero(touched)].push_back(i);
+        std::vector<Builder> parts(8, Builder(reaches_));
+        parallel_for(8, [&](std::int64_t part) {
+            const Vec3 corner{part & 1 ? half : 0, part & 2 ? half : 0, part & 4 ? half : 0};
+            parts[static_cast<std::size_t>(part)].build(std::move(members[part]), {cell.lo + corner, half}, 1);
+        });
+        nodes_[0].first = 1;
+        nodes_.resize(9);
+        for (std::size_t part = 0; part < 8; ++part) append(parts[part], 1 + part);
+    }
+    void finish(CacheIndex& index) {
+        index.nodes_ = std::move(nodes_);
+        index.groups_ = std::move(groups_);
     }
 
 private:
+    /// Puts a part's root in the node, and all else of it at the end.
+    void append(const Builder& part, std::size_t root) {
+        const std::size_t node_base = nodes_.size() - 1, group_base = groups_.size();
+        const auto moved = [&](Node node) {
+            node.first += static_cast<std::uint32_t>(node.is_leaf() ? group_base : node_base);
+            return node;
+        };
+        nodes_[root] = moved(part.nodes_[0]);
+        for (std::size_t i = 1; i < part.nodes_.size(); ++i) nodes_.push_back(moved(part.nodes_[i]));
+        groups_.insert(groups_.end(), part.groups_.begin(), part.groups_.end());
+    }
+
     /// Makes a node of the members from `begin` on, which stand at the end of the list.
     void split(std::size_t node, const Cell& cell, std::size_t begin, int depth) {
         const std::size_t end = members_.size();
@@ -51,9 +90,9 @@ private:
         const std::size_t count = end - begin;
         // Cells much smaller than what they hold only multiply the copies.
         if (count <= few || depth == deepest || cell.size * static_cast<float>(count) < radii) return fill(node, begin);
-        const std::size_t first = index_.nodes_.size();
-        index_.nodes_[node].first = static_cast<std::uint32_t>(first);
-        index_.nodes_.resize(first + 8);
+        const std::size_t first = nodes_.size();
+        nodes_[node].first = static_cast<std::uint32_t>(first);
+        nodes_.resize(first + 8);
         const float half = cell.size / 2;
         const Vec3 middle = cell.lo + Vec3{half, half, half}, hi = middle + Vec3{half, half, half};
         parts_.resize(end);
@@ -71,10 +110,10 @@ private:
     void fill(std::size_t node, std::size_t begin) {
         constexpr auto lanes = static_cast<std::size_t>(BallGroup::lanes);
         const std::size_t end = members_.size();
-        index_.nodes_[node].first = static_cast<std::uint32_t>(index_.groups_.size());
-        index_.nodes_[node].groups = static_cast<std::uint32_t>((end - begin + lanes - 1) / lanes);
+        nodes_[node].first = static_cast<std::uint32_t>(groups_.size());
+        nodes_[node].groups = static_cast<std::uint32_t>((end - begin + lanes - 1) / lanes);
         for (; begin < end; begin += lanes) {
-            BallGroup& group = index_.groups_.emplace_back();
+            BallGroup& group = groups_.emplace_back();
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 group.x[lane] = nowhere;
                 group.per_radius[lane] = 1;
@@ -88,8 +127,9 @@ private:
         }
     }
 
-    CacheIndex& index_;
     std::span<const Reach> reaches_;
+    std::vector<Node> nodes_;
+    std::vector<BallGroup> groups_;
     std::vector<std::uint32_t> members_;  ///< of the node in work and of those above it
     std::vector<std::uint8_t> parts_;     ///< of each member, what it touches of its node
 };
@@ -108,8 +148,15 @@ void CacheIndex::rebuild(std::span<const Reach> reaches) {
     const float size = max_component(hi - lo) * (1 + 1e-5F);
     root_ = {lo, size};
     per_cell_ = static_cast<float>(1 << deepest) / size;
-    nodes_.emplace_back();
-    Builder(*this, reaches).build();
+    Builder builder(reaches);
+    if (reaches.size() >= many) {
+        builder.build_in_parts(root_);
+    } else {
+        std::vector<std::uint32_t> all(reaches.size());
+        std::iota(all.begin(), all.end(), 0U);
+        builder.build(std::move(all), root_, 0);
+    }
+    builder.finish(*this);
 }
 
 const CacheIndex::Node* CacheIndex::leaf(Vec3 p) const noexcept {

@@ -21,7 +21,7 @@ public:
     CacheIndex() = default;
     explicit CacheIndex(std::span<const Reach> reaches) { rebuild(reaches); }
 
-    /// Forgets what it had; O(n log n). Memory is used again.
+    /// Forgets what it had; O(n log n), on all threads, the same for any number of them.
     void rebuild(std::span<const Reach> reaches);
 
     /// Calls visit(i, t) for every ball i that p, n is within, in the order of the leaf. t in [0, 1) is

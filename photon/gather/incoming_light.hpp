@@ -1,5 +1,7 @@
 #pragma once
 #include "photon/gather/radiance_map.hpp"
+#include "photon/map/photon_map.hpp"
+#include "rt_core/api/world.hpp"
 
 namespace cardioid::photon {
 

@@ -1,18 +1,19 @@
 #pragma once
 #include <vector>
 
-#include "photon/emission/shoot.hpp"
-#include "photon/map/photon_map.hpp"
+#include "photon/map/photon.hpp"
+#include "photon/map/tree/point_tree.hpp"
+#include "rt_core/api/surface.hpp"
 
 namespace cardioid::photon {
 
-/// A place where irradiance is known beforehand: at every n-th photon (Christensen 1999; ARL-TR-3608, note [6]).
+/// A place where irradiance is known beforehand (Christensen 1999; ARL-TR-3608, note [6]).
 struct RadiancePhoton {
     Vec3 p;                ///< relative to the origin of its map, scene units
     std::uint32_t n;       ///< encode_direction: geometric normal on the lit side
     std::uint32_t region;  ///< FaceId::region
     Rgb E;                 ///< W/unit^2
-    float blur;            ///< radius of the disc that it was estimated over, scene units
+    float blur;            ///< it tells nothing of what changes within that distance, scene units
     float reach;           ///< how far off it may be read: what lies beyond is another room for all it knows
 };
 
@@ -22,24 +23,10 @@ struct RadiancePayload {
 };
 inline RadiancePayload payload_of(const RadiancePhoton& photon) { return {photon.E, photon.blur, photon.reach}; }
 
-/// How radiance photons are made.
-struct RadianceRule {
-    std::uint32_t seed = 0;
-    std::uint32_t every = 4;        ///< n
-    float share = 1;                ///< places for each photon of the map: tells how many photons a lookup may expect
-    std::uint32_t light_rays = 16;  ///< calls of World::direct a photon; light straight from lamps is not looked up
-    LookupRule lookup;              ///< of other light
-    const PhotonMap* caustics = nullptr;  ///< where caustics are looked up if not in that map
-    LookupRule caustic_lookup;
-};
-
-/// Places at every n-th photon with the irradiance of all light there, by `map`, which has no photons straight from
-/// lamps. `places` and `map` must be shot independently: estimates at a map's own photons are too bright by the photon
-/// itself, and without it too dark, for photons that stand alone are the nearest to more places. Left out are those
-/// where places stand so far apart that a lookup would be of less than some 16 photons. Stops early when interrupted.
-[[nodiscard]] std::vector<RadiancePhoton> make_radiance_photons(const World& world, const Shot& places,
-                                                                const PhotonMap& map, const RadianceRule& rule,
-                                                                Progress& progress);
+/// Places on the surface that p is on, with normals within 30 degrees.
+[[nodiscard]] inline PointQuery same_surface(Vec3 p, Vec3 n, std::uint32_t region) noexcept {
+    return {.p = p, .n = n, .least_cos = 0.866F, .steepness = 0.25F, .region = region};
+}
 
 /// Irradiance known at many places: what the rays of a final gather read where they end. Read-only once made; any
 /// thread may look up.

@@ -1,6 +1,7 @@
 #include "photon/heuristics/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "photon/heuristics/counts.hpp"
@@ -16,6 +17,11 @@ constexpr std::uint64_t pilot_count = 4096, largest_pilot = 1 << 18, caustic_pil
 constexpr std::uint32_t gather_k = 50;
 /// Largest radius of lookups as a share of the picture's width, and of those that a gather averages.
 constexpr double seen_radius = 0.02, gathered_radius = 0.015, caustic_radius = 0.005;
+/// Caustics that nobody looks at: a radius as a share of their own, for an error of 5 %. A disc blurs less the smaller
+/// it is, but needs as many photons.
+constexpr double caustic_share = 0.2, usual_error = 0.05;
+/// So many times the radius are lookups allowed to go where caustics are dim: in a picture noise is worse than blur.
+constexpr double seen_reach = 4, unseen_reach = 1.5;
 /// The same as a share of the scene's diagonal, where there is no picture; and the report's fixed radius.
 constexpr double report_radius = 0.05;
 /// What a picture is worth at least and at most.
@@ -62,7 +68,7 @@ std::vector<Sighting> places_of(const Shot& shot) {
 class Planner {
 public:
     Planner(const World& world, const Eye* eye, const PhotonOptions& options, std::uint32_t seed, Progress& progress)
-        : world_(world), options_(options), seed_(seed), progress_(progress) {
+        : world_(world), options_(options), seed_(seed), progress_(progress), eye_(eye) {
         if (eye) sights_ = look_around(*eye, seed);
         if (eye) width_ = picture_width(sights_, *eye);
         if (!(width_ > 0)) {
@@ -75,6 +81,9 @@ public:
         lookups();
         global();
         caustics();
+        plan_.caustic_reach = plan_.caustic_radius;
+        if (!options_.caustic_radius && options_.mode == Mode::physical)
+            plan_.caustic_reach *= eye_ ? seen_reach : unseen_reach;
         return std::move(plan_);
     }
 
@@ -95,7 +104,9 @@ private:
         const double whole = report ? world_.bounds().diagonal() : width_;
         const double share = report ? report_radius : gathers ? gathered_radius : seen_radius;
         plan_.radius = options_.radius.value_or(whole > 0 ? share * whole : 1);
-        plan_.caustic_radius = options_.caustic_radius.value_or(report ? plan_.radius : caustic_radius * width_);
+        finer_ = report ? 1 : std::cbrt(options_.error / usual_error);
+        plan_.caustic_radius =
+            options_.caustic_radius.value_or(report ? plan_.radius : caustic_radius * finer_ * width_);
         const std::string k_why = gathers ? "a gather's rays average the noise"
                                           : fmt::format("1/{:g}^2 + 2, for photon.error", options_.error);
         if (!options_.k) note("k", fmt::format("{}", plan_.k), k_why);
@@ -156,14 +167,15 @@ private:
             return;
         }
         if (!options_.aim_caustics) plan_.aim.cells.clear();
-        caustic_notes();
         const Shot pilot = fly(Pass::pilot, Keep::caustics, caustic_pilot_count);
         const double emitted = static_cast<double>(std::max<std::uint64_t>(pilot.emitted, 1));
         const double stored = static_cast<double>(pilot.ledger.stored_photons()) / emitted;
+        const PhotonMap map(pilot.photons, pilot.origin, pilot.flux_scale);
+        const double density = density_of_most(densities(map, places_of(pilot)), 0.5) / emitted;
+        if (!eye_ && options_.mode == Mode::physical && !options_.caustic_radius) fit_to_caustics(stored, density);
+        caustic_notes();
         double count = static_cast<double>(options_.caustic_count.value_or(0));
         if (!options_.caustic_count) {
-            const PhotonMap map(pilot.photons, pilot.origin, pilot.flux_scale);
-            const double density = density_of_most(densities(map, places_of(pilot)), 0.5) / emitted;
             count = std::clamp(count_for(plan_.caustic_k, plan_.caustic_radius, density), fewest, most);
             note("caustic_count", fmt::format("{:.0f}", count),
                  fmt::format("{} photons within {:.4g} where half of the caustics' photons are", plan_.caustic_k,
@@ -172,13 +184,26 @@ private:
         plan_.caustic_count = bounded("caustic_count", options_.caustic_count.has_value(), count, stored);
     }
 
+    /// No pixels bound what can be seen: discs are small beside the caustics themselves, of which half of the photons
+    /// are in places of at least that density.
+    void fit_to_caustics(double stored, double density) {
+        if (!(density > 0)) return;
+        const double half = std::sqrt(0.5 * stored / (std::numbers::pi * density));
+        if (caustic_share * finer_ * half >= plan_.caustic_radius) return;
+        plan_.caustic_radius = caustic_share * finer_ * half;
+        of_caustics_ = half;
+    }
+
     void caustic_notes() {
         if (!options_.caustic_k)
             note("caustic_k", fmt::format("{}", plan_.caustic_k),
                  fmt::format("1/(2 x {:g})^2 + 2, for photon.error", options_.error));
         if (!options_.caustic_radius)
             note("caustic_radius", fmt::format("{:.4g}", plan_.caustic_radius),
-                 fmt::format("{:g} of {}", plan_.caustic_radius / width_, of_what_));
+                 of_caustics_ > 0
+                     ? fmt::format("{:.3g} of where half of the caustics' photons are, for photon.error",
+                                   plan_.caustic_radius / of_caustics_)
+                     : fmt::format("{:.3g} of {}, for photon.error", plan_.caustic_radius / width_, of_what_));
     }
 
     /// The count, or as many as memory holds where nobody asked for it. Throws Error(limit).
@@ -204,7 +229,10 @@ private:
     std::uint32_t seed_;
     Progress& progress_;
     std::vector<Sighting> sights_;
-    double width_ = 0;  ///< scene units that are one picture wide
+    double width_ = 0;        ///< scene units that are one picture wide
+    double of_caustics_ = 0;  ///< radius of a disc as large as where half of the caustics' photons are, if it counts
+    double finer_ = 1;        ///< caustics are looked up in discs so much smaller than for an error of 5 %
+    const Eye* eye_;
     const char* of_what_ = "the picture's width";
     Plan plan_;
 };

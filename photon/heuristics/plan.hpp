@@ -17,6 +17,7 @@ struct Plan {
     std::uint64_t caustic_count = 0;        ///< for the caustic map; 0: there are no caustics, or none are wanted
     std::uint32_t k = 0, caustic_k = 0;     ///< photons of a lookup
     double radius = 0, caustic_radius = 0;  ///< largest of a lookup, scene units, above 0
+    double caustic_reach = 0;               ///< how far caustic lookups go where photons are few, scene units, above 0
     double stored_per_emitted = 0;          ///< of the pilot's photons
     double caustic_share = 0;               ///< of the emitted flux that makes caustics, of the pilot
     double specular_share = 0;              ///< of the photons that meet mirror, glass or gloss first

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "photon/emission/shoot.hpp"
+#include "photon/gather/gather_ends.hpp"
+#include "photon/gather/radiance_photons.hpp"
 #include "photon/lighting/precompute.hpp"
 
 namespace cardioid::photon {
@@ -23,21 +26,21 @@ LookupRule common_lookup(const PhotonOptions& options) {
 LookupRule quick(LookupRule rule) {
     constexpr std::uint32_t enough = 20;
     rule.k = std::min(rule.k, enough);
-    rule.adapt = false;
+    rule.spread = false;
     if (rule.edge != EdgeRule::report) rule.edge = EdgeRule::none;
     return rule;
 }
 
 class Maker {
 public:
-    Maker(const World& world, const PhotonOptions& options, const Plan& plan, const Tuning& tuning, std::uint32_t seed,
-          Progress& progress)
-        : world_(world), options_(options), plan_(plan), tuning_(tuning), seed_(seed), progress_(progress) {}
+    Maker(const World& world, const Eye* eye, const PhotonOptions& options, const Plan& plan, const Tuning& tuning,
+          std::uint32_t seed, Progress& progress)
+        : world_(world), eye_(eye), options_(options), plan_(plan), tuning_(tuning), seed_(seed), progress_(progress) {}
 
     LightMaps make() {
         set_lookups(
             options_,
-            {plan_.k, plan_.caustic_k, static_cast<float>(plan_.radius), static_cast<float>(plan_.caustic_radius)},
+            {plan_.k, plan_.caustic_k, static_cast<float>(plan_.radius), static_cast<float>(plan_.caustic_reach)},
             maps_);
         if (plan_.caustic_count > 0) shoot_caustics();
         if (!progress_.interrupted()) shoot_global();
@@ -75,19 +78,28 @@ private:
         const double stored = static_cast<double>(shot.ledger.stored_photons());
         const double wanted = static_cast<double>(tuning_.radiance_photons);
         const double count = std::min(wanted / stored, 1.0) * static_cast<double>(shot.emitted);
-        const Shot places =
+        Shot places =
             shoot(world_, options_, {.seed = ~seed_, .count = static_cast<std::uint64_t>(std::ceil(count))}, progress_);
+        if (progress_.interrupted()) return;
         const RadianceRule rule{
             .seed = seed_,
-            .every = 1,
             .share = static_cast<float>(static_cast<double>(places.emitted) / static_cast<double>(shot.emitted)),
             .light_rays = tuning_.light_rays,
             .lookup = maps_.global_lookup,
             .caustics = maps_.caustics ? &*maps_.caustics : nullptr,
             .caustic_lookup = quick(maps_.caustic_lookup)};
-        if (progress_.interrupted()) return;
-        maps_.radiance = {make_radiance_photons(world_, places, *maps_.global, rule, progress_), places.origin};
+        const RadiancePlaces at{radiance_places(places), std::move(places.photons), places.origin};
+        maps_.radiance = {make_radiance_photons(world_, at, *maps_.global, rule, progress_), at.origin};
         maps_.statistics.emplace_back("radiance photons", static_cast<std::int64_t>(maps_.radiance.size()));
+    }
+
+    /// Where rays of gathers end, and at one in so many photons, for what rays meet that go on, and for other views.
+    [[nodiscard]] std::vector<Photon> radiance_places(const Shot& shot) const {
+        constexpr std::size_t one_in = 2;
+        if (!eye_) return shot.photons;
+        std::vector<Photon> places = gather_ends(world_, *eye_, seed_, tuning_.radiance_photons / 2, shot.origin);
+        for (std::size_t i = 0; i < shot.photons.size(); i += one_in) places.push_back(shot.photons[i]);
+        return places;
     }
 
     void precompute(const std::vector<Photon>& places, Vec3d origin) {
@@ -109,7 +121,9 @@ private:
                           progress_);
         if (progress_.interrupted()) return;
         tell("caustic photons", shot);
-        if (!shot.photons.empty()) maps_.caustics.emplace(std::move(shot.photons), shot.origin, shot.flux_scale);
+        if (shot.photons.empty()) return;
+        maps_.caustics.emplace(std::move(shot.photons), shot.origin, shot.flux_scale);
+        if (maps_.caustic_lookup.spread) maps_.caustics->spread(maps_.caustic_lookup);
     }
 
     void tell(const std::string& what, const Shot& shot) {
@@ -150,6 +164,7 @@ private:
     }
 
     const World& world_;
+    const Eye* eye_;
     const PhotonOptions& options_;
     const Plan& plan_;
     const Tuning& tuning_;
@@ -173,15 +188,14 @@ void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMa
     // Where photons are few, a gather's far hits are content with a wider disc.
     const bool gathers = options.indirect == Indirect::cache || options.indirect == Indirect::gather;
     if (!options.radius && gathers) maps.global_lookup.max_radius *= 4;
-    // A lookup that shrinks where light changes may begin with more photons, and go farther where they are few.
-    maps.caustic_lookup.adapt = true;
-    if (!options.caustic_k) maps.caustic_lookup.k = sizes.caustic_k * 5 / 2;
-    if (!options.caustic_radius) maps.caustic_lookup.max_radius *= 4;
+    maps.caustic_lookup.spread = true;
+    // The cone's weights scatter as those of a disc of two thirds as many photons.
+    if (!options.caustic_k) maps.caustic_lookup.k = sizes.caustic_k * 3 / 2;
 }
 
-LightMaps make_light_maps(const World& world, const PhotonOptions& options, const Plan& plan, const Tuning& tuning,
-                          std::uint32_t seed, Progress& progress) {
-    return Maker(world, options, plan, tuning, seed, progress).make();
+LightMaps make_light_maps(const World& world, const Eye* eye, const PhotonOptions& options, const Plan& plan,
+                          const Tuning& tuning, std::uint32_t seed, Progress& progress) {
+    return Maker(world, eye, options, plan, tuning, seed, progress).make();
 }
 
 IncomingLight make_incoming(const World& world, const LightMaps& maps, bool always_near) {

@@ -3,6 +3,7 @@
 
 #include "photon/gather/incoming_light.hpp"
 #include "photon/lighting/tuning.hpp"
+#include "rt_core/api/eye.hpp"
 #include "rt_core/api/lighting.hpp"
 
 namespace cardioid::photon {
@@ -30,8 +31,9 @@ void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMa
 
 /// Shoots the photons of a plan and makes what `options.indirect` reads. Throws Error. Warns of what is wrong with the
 /// scene; stops early when interrupted, the maps are then of no use.
-[[nodiscard]] LightMaps make_light_maps(const World& world, const PhotonOptions& options, const Plan& plan,
-                                        const Tuning& tuning, std::uint32_t seed, Progress& progress);
+/// `eye` null: there is no picture.
+[[nodiscard]] LightMaps make_light_maps(const World& world, const Eye* eye, const PhotonOptions& options,
+                                        const Plan& plan, const Tuning& tuning, std::uint32_t seed, Progress& progress);
 
 /// Rays of a gather that end in these maps; they must outlive it. `always_near`: IncomingLight::Parts.
 [[nodiscard]] IncomingLight make_incoming(const World& world, const LightMaps& maps, bool always_near);

@@ -39,7 +39,7 @@ void PhotonModule::make_maps(const World& world, const Eye* eye, Progress& progr
     tell(plan.derived, progress);
     tell(tuning.derived, progress);
     if (progress.interrupted()) return;
-    maps_ = make_light_maps(world, options_, plan, tuning, seed_, progress);
+    maps_ = make_light_maps(world, eye, options_, plan, tuning, seed_, progress);
     if (!progress.interrupted()) look_up_from(world, eye, tuning, progress);
 }
 
@@ -165,6 +165,7 @@ void PhotonModule::load_maps(const std::string& path, const World& world, const 
     };
     read_map("photons", maps_.global);
     read_map("caustics", maps_.caustics);
+    if (maps_.caustics && maps_.caustic_lookup.spread) maps_.caustics->spread(maps_.caustic_lookup);
     read_places("radiance", maps_.radiance);
     read_places("cache", maps_.precomputed);
     const Tuning tuning = tune(options_, seed_);

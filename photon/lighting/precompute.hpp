@@ -1,5 +1,6 @@
 #pragma once
 #include "photon/gather/final_gather.hpp"
+#include "rt_core/api/progress.hpp"
 
 namespace cardioid::photon {
 

@@ -45,21 +45,31 @@ Vec3 decode_direction(std::uint32_t bits) noexcept {
     return normalize(Vec3{u, v, z});
 }
 
-std::uint32_t encode_flux(Rgb flux, float scale) noexcept {
+std::uint32_t encode_flux(Rgb flux, float scale, float dither) noexcept {
     const Rgb c = flux * (1 / scale);
     const float largest = max_component(c);
     if (!(largest > 0)) return 0;
-    // The exponent that puts the largest, once rounded, below 2^9 steps; taken from the bits of the float, for photons
-    // are stored by the million.
+    // The exponent that puts the largest, rounded either way, below 2^9 steps; taken from the bits of the float, for
+    // photons are stored by the million.
+    constexpr float most_steps = 511;
     const int power = static_cast<int>(std::bit_cast<std::uint32_t>(largest) >> 23) - float_bias;
     int exponent = std::clamp(power + 1 + bias, 0, top_exponent);
     const auto steps_of = [&](float x) {
         const int shift = mantissa_bits + bias - exponent + float_bias;
-        return std::min(x * std::bit_cast<float>(static_cast<std::uint32_t>(shift) << 23), 511.75F) + 0.5F;
+        return x * std::bit_cast<float>(static_cast<std::uint32_t>(shift) << 23);
     };
-    if (steps_of(largest) >= 512 && exponent < top_exponent) ++exponent;
-    const auto channel = [&](float x) { return std::min(static_cast<std::uint32_t>(steps_of(x)), 511U); };
+    if (steps_of(largest) > most_steps && exponent < top_exponent) ++exponent;
+    const auto channel = [&](float x) {
+        return static_cast<std::uint32_t>(std::min(steps_of(x), most_steps) + dither);
+    };
     return channel(c.r) | channel(c.g) << 9 | channel(c.b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
+}
+
+float flux_dither(Vec3 p) noexcept {
+    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x)}; };
+    const std::uint64_t hash = mix64(mix64(bits(p.x) << 32 | bits(p.y)) ^ bits(p.z));
+    constexpr int digits = 23;  // one less than a float has: 511 and this stay below 512
+    return static_cast<float>(hash >> (64 - digits)) * 0x1p-23F * (1 - 0x1p-14F);
 }
 
 }  // namespace cardioid::photon

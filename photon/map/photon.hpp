@@ -21,9 +21,14 @@ constexpr bool has(Way set, Way bit) { return (static_cast<int>(set) & static_ca
 [[nodiscard]] std::uint32_t encode_direction(Vec3 unit) noexcept;
 [[nodiscard]] Vec3 decode_direction(std::uint32_t bits) noexcept;
 
-/// Three floats >= 0 with one 5-bit exponent and 9 bits each, rounded (the shared-exponent format of OpenGL 3.0);
-/// the exponent is offset by `scale` 2^n, so that fluxes of any unit fit: values are stored divided by it.
-[[nodiscard]] std::uint32_t encode_flux(Rgb flux, float scale) noexcept;
+/// Three floats >= 0 with one 5-bit exponent and 9 bits each (the shared-exponent format of OpenGL 3.0); the exponent
+/// is offset by `scale` 2^n, so that fluxes of any unit fit: values are stored divided by it. Each is rounded up where
+/// its rest is at least 1 - `dither`, in [0, 1): one half rounds to the nearest, evenly spread ones keep the mean of
+/// many.
+[[nodiscard]] std::uint32_t encode_flux(Rgb flux, float scale, float dither = 0.5F) noexcept;
+/// The dither of the photon at p: all that leave a lamp have the same flux and would share the error of its rounding,
+/// up to 1/512 of the largest channel.
+[[nodiscard]] float flux_dither(Vec3 p) noexcept;
 [[nodiscard]] inline Rgb decode_flux(std::uint32_t bits, float scale) noexcept {
     constexpr std::uint32_t float_bias = 127, bias = 15, mantissa_bits = 9;
     const float step = scale * std::bit_cast<float>(((bits >> 27) + (float_bias - bias - mantissa_bits)) << 23);

@@ -1,12 +1,11 @@
 #include "photon/map/photon_map.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "photon/map/edges.hpp"
-#include "photon/map/even_disc.hpp"
 #include "photon/map/kernel.hpp"
 #include "photon/map/probe_area.hpp"
+#include "photon/map/spread.hpp"
 
 namespace cardioid::photon {
 
@@ -14,8 +13,6 @@ namespace {
 
 /// Positions are floats about the origin of their map: heights of this share of its extent may be rounding.
 constexpr float rounding = 0x1p-22F;
-/// The smallest disc of a lookup that adapts, in photons: a standard error of 18 %.
-constexpr std::uint32_t least_even = 32;
 
 }  // namespace
 
@@ -24,25 +21,27 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, Vec3d origin, float flux_scale
     slack_ = rounding * std::max(max_component(abs(tree_.lo())), max_component(abs(tree_.hi())));
 }
 
-PointQuery PhotonMap::query(const SurfacePoint& point, Vec3 n, const LookupRule& rule) const noexcept {
-    return {.p = Vec3(point.p - origin_),
+void PhotonMap::spread(const LookupRule& rule) { reach_ = spread_photons(*this, rule); }
+
+PointQuery PhotonMap::query(Vec3 p, Vec3 n, std::uint32_t region, const LookupRule& rule) const noexcept {
+    return {.p = p,
             .max_radius = rule.max_radius,
             .n = n,
             .least_cos = rule.least_cos,
             .steepness = rule.steepness,
             .slack = slack_,
             .flatten = rule.flatten,
-            .region = rule.same_region ? point.id.region : FaceId::none};
+            .region = rule.same_region ? region : FaceId::none};
 }
 
 void PhotonMap::weigh(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
                       WeighedPhotons& out) const noexcept {
-    const PointQuery q = query(point, n, rule);
+    if (rule.spread && !reach_.empty()) return weigh_spread(point, n, rule, world, out);
+    const PointQuery q = query(Vec3(point.p - origin_), n, point.id.region, rule);
     Neighbours& found = out.found;
     const std::uint32_t wanted = rule.fixed_radius ? Neighbours::max_k : rule.k;
     tree_.nearest(q, wanted, found);
-    bool last_sets_radius = found.size == wanted || std::isinf(rule.max_radius);
-    if (rule.adapt && shrink_to_even(q, found)) last_sets_radius = true;
+    const bool last_sets_radius = found.size == wanted || std::isinf(rule.max_radius);
     out.k = found.size;
     out.radius = rule.max_radius;
     if (found.size == 0) return;
@@ -62,21 +61,32 @@ void PhotonMap::weigh(const SurfacePoint& point, Vec3 n, const LookupRule& rule,
         found.d2[i] = kernel_weight(rule.kernel, std::min(found.d2[i] / r2, 1.0F)) / (pi * r2 * share);
 }
 
-bool PhotonMap::shrink_to_even(const PointQuery& q, Neighbours& found) const noexcept {
-    const std::uint32_t all = found.size;
-    if (all <= least_even) return false;
-    std::array<DiscPhoton, Neighbours::max_k> photons;
-    const Frame plane(q.n);
-    for (std::uint32_t i = 0; i < all; ++i) {
-        const Vec3 d = tree_.position(found.index[i]) - q.p;
-        photons[i] = {dot(d, plane.s), dot(d, plane.t), found.d2[i], luminance(flux(found.index[i])), found.index[i]};
+/// The disc of the lookup, for probes and for how far its result holds, is as large as those of its photons: their
+/// harmonic mean.
+void PhotonMap::weigh_spread(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
+                             WeighedPhotons& out) const noexcept {
+    const PointQuery q = query(Vec3(point.p - origin_), n, point.id.region, rule);
+    Neighbours& found = out.found;
+    found.size = 0;
+    float sum = 0, over_radius = 0;
+    tree_.visit_reaching(q, reach_, [&](std::uint32_t index, float d2, float r2) {
+        if (found.size == Neighbours::room) return;
+        const float weight = kernel_weight(rule.kernel, d2 / r2) / (pi * r2);
+        found.index[found.size] = index;
+        found.d2[found.size++] = weight;
+        sum += weight;
+        over_radius += weight / std::sqrt(r2);
+    });
+    out.k = found.size;
+    out.radius = over_radius > 0 ? sum / over_radius : rule.max_radius;
+    if (found.size == 0) {
+        const Nearest photon = tree_.nearest(q);
+        if (photon.found()) out.radius = std::sqrt(photon.d2) * 0.6F;
     }
-    found.size = largest_even_disc({photons.data(), all}, least_even);
-    for (std::uint32_t i = 0; i < found.size; ++i) {
-        found.d2[i] = photons[i].d2;
-        found.index[i] = photons[i].index;
-    }
-    return found.size < all;
+    if (found.size == 0 || !world || (rule.edge != EdgeRule::probe && rule.edge != EdgeRule::hull)) return;
+    const float share = reached_share(*world, point, n, rule, out);
+    if (!(share > 0)) found.size = 0;
+    for (std::uint32_t i = 0; i < found.size; ++i) found.d2[i] /= share;
 }
 
 float PhotonMap::reached_share(const World& world, const SurfacePoint& point, Vec3 n, const LookupRule& rule,

@@ -11,7 +11,7 @@ namespace cardioid::photon {
 /// How a lookup gathers photons and turns them into light. Defaults are those of `mode = physical`.
 struct LookupRule {
     std::uint32_t k = 50;  ///< photons wanted, the one that sets the radius included; 2 to Neighbours::max_k
-    bool adapt = false;    ///< k is the most; fewer, in a smaller disc, where the light within changes (for caustics)
+    bool spread = false;   ///< photons light the discs that PhotonMap::spread() gave them; k and radius are theirs
     float max_radius = std::numeric_limits<float>::infinity();  ///< > 0, scene units
     bool fixed_radius =
         false;                ///< max_radius (finite) whatever it holds, up to Neighbours::max_k photons; k is not read
@@ -49,6 +49,10 @@ public:
     /// Throws Error(bad_input) where a position is not finite, Error(limit) past 2^30 photons.
     PhotonMap(std::vector<Photon> photons, Vec3d origin, float flux_scale);
 
+    /// Gives each photon a disc of its own to light (spread.hpp), by rule.k and rule.max_radius; what `spread` lookups
+    /// read. Not while others look up.
+    void spread(const LookupRule& rule);
+
     /// Irradiance at `point` on the side that the unit vector n (its geometric normal or the opposite) is on.
     /// `world` is for EdgeRule::probe alone; without it, that rule is `hull`.
     [[nodiscard]] Estimate irradiance(const SurfacePoint& point, Vec3 n, const LookupRule& rule,
@@ -66,6 +70,8 @@ public:
         }
         return L;
     }
+    /// The query for photons around a place, relative to origin().
+    [[nodiscard]] PointQuery query(Vec3 p, Vec3 n, std::uint32_t region, const LookupRule& rule) const noexcept;
     /// What both are made of: for other sums over photons.
     void weigh(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
                WeighedPhotons& out) const noexcept;
@@ -80,17 +86,17 @@ public:
     [[nodiscard]] Vec3d position(std::uint32_t i) const noexcept { return origin_ + Vec3d(tree_.position(i)); }
     /// The photons as they were given, in the order of the tree; a map made of them is the same.
     [[nodiscard]] std::vector<Photon> photons() const;
-    [[nodiscard]] std::size_t memory_bytes() const noexcept { return tree_.memory_bytes(); }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept { return tree_.memory_bytes() + reach_.memory_bytes(); }
 
 private:
+    void weigh_spread(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
+                      WeighedPhotons& out) const noexcept;
     /// Of the weight of the disc, what probes reach; drops photons that they cannot see.
     [[nodiscard]] float reached_share(const World& world, const SurfacePoint& point, Vec3 n, const LookupRule& rule,
                                       WeighedPhotons& photons) const noexcept;
-    /// Drops the photons outside of the largest disc that is evenly lit; whether any.
-    [[nodiscard]] bool shrink_to_even(const PointQuery& query, Neighbours& found) const noexcept;
-    [[nodiscard]] PointQuery query(const SurfacePoint& point, Vec3 n, const LookupRule& rule) const noexcept;
 
     PointTree<Photon> tree_;
+    KdReach reach_;  ///< radii of the photons' own discs
     Vec3d origin_;
     float flux_scale_ = 1;
     float slack_ = 0;  ///< heights below this are rounding

@@ -107,7 +107,8 @@ void PhotonPath::keep(Leg& leg, const SurfacePoint& point) {
     ledger.stored[i] += leg.flux;
     const Vec3 wi(-leg.ray.d);
     const Vec3 n = dot(point.ng, wi) < 0 ? -point.ng : point.ng;
-    photons.push_back({Vec3(point.p - store_.origin), encode_flux(leg.flux, store_.scale), encode_direction(wi),
+    const Vec3 p(point.p - store_.origin);
+    photons.push_back({p, encode_flux(leg.flux, store_.scale, flux_dither(p)), encode_direction(wi),
                        encode_direction(n), point.id.region, leg.way, 0});
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <numbers>
+#include <tuple>
 
 #include "tests/photon_map/clouds.hpp"
 #include "tests/photon_map/statistics.hpp"
@@ -66,6 +67,26 @@ TEST(Photon, KeepsPowersOfTwoAndBlackExactly) {
         EXPECT_EQ(decode_flux(encode_flux(flux, 1), 1), flux) << e;
     }
     EXPECT_EQ(decode_flux(encode_flux(Rgb(), 3), 3), Rgb());
+}
+
+TEST(Photon, ManyOfTheSameFluxKeepItsMeanByTheirDither) {
+    Random random;
+    for (const Rgb flux : {Rgb(17, 12, 4), Rgb(511.9F, 511.4F, 0.3F), Rgb(1), Rgb(3, 0, 1e-3F)}) {
+        Moments r, g, b;
+        for (int i = 0; i < 100'000; ++i) {
+            const Rgb kept = decode_flux(encode_flux(flux, 1, flux_dither(random.next3())), 1);
+            r.add(double{kept.r}), g.add(double{kept.g}), b.add(double{kept.b});
+        }
+        const Rgb rounded = decode_flux(encode_flux(flux, 1), 1);
+        for (const auto& [mean, exact, one] :
+             {std::tuple(r, flux.r, rounded.r), std::tuple(g, flux.g, rounded.g), std::tuple(b, flux.b, rounded.b)}) {
+            if (one == exact)
+                EXPECT_EQ(mean.mean(), double{exact});
+            else
+                EXPECT_GT(mean.p_value(double{exact}), 1e-4) << exact << " became " << mean.mean();
+        }
+    }
+    EXPECT_GT(std::abs(decode_flux(encode_flux(Rgb(17, 12, 4), 1), 1).b / 4 - 1), 0.002);  // what it is for
 }
 
 TEST(Photon, KeepsFluxesOfAnyUnitByItsScale) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "photon/map/tree/kd_build.hpp"
+#include "photon/map/tree/kd_reach.hpp"
 
 namespace cardioid::photon {
 
@@ -48,6 +49,10 @@ public:
     /// Calls visit(index, d2) for every point within the radius that passes the tests, in the order of the tree's walk.
     template <class Visit>
     void visit_within(const PointQuery& query, const Visit& visit) const noexcept;
+    /// Calls visit(index, d2, r2) for every point that reaches the query's place, r being its reach, and passes the
+    /// tests; the query's radius is not read.
+    template <class Visit>
+    void visit_reaching(const PointQuery& query, const KdReach& reach, const Visit& visit) const noexcept;
 
     /// Has this tree use other inner loops than the quickest; for tests and benchmarks.
     void use(const ScanKernels& kernels) noexcept { kernels_ = &kernels; }

@@ -153,4 +153,45 @@ void KdTree::visit_within(const PointQuery& query, const Visit& visit) const noe
     });
 }
 
+template <class Visit>
+void KdTree::visit_reaching(const PointQuery& query, const KdReach& reach, const Visit& visit) const noexcept {
+    /// A node and its cell's distance from the place along each axis, as in walk().
+    struct Pending {
+        const KdNode* node;
+        Vec3 away;
+    };
+    constexpr int deepest = 33;
+    Pending stack[deepest];
+    int pending = 0;
+    if (nodes_.empty()) return;
+    const ScanQuery scan(query);
+    alignas(64) float d2[64];
+    alignas(64) std::uint32_t index[64];
+    const auto square_of = [&](const KdNode* node) {
+        const float r = reach[static_cast<std::size_t>(node - nodes_.data())];
+        return r * r;
+    };
+    const Vec3 zero;
+    for (Pending at{nodes_.data(), max(max(lo_ - query.p, query.p - hi_), zero)};;) {
+        float r2 = square_of(at.node);
+        while (dot(at.away, at.away) < r2 && !at.node->is_bucket()) {
+            const KdNode& node = *at.node;
+            const float beyond = query.p[node.axis()] - node.at();
+            const KdNode* const left = &node + 1;
+            const KdNode* const right = &node + node.right();
+            Pending& far = stack[pending++];
+            far = {beyond < 0 ? right : left, at.away};
+            far.away[node.axis()] = beyond;
+            at.node = beyond < 0 ? left : right;
+            r2 = square_of(at.node);
+        }
+        if (at.node->is_bucket() && dot(at.away, at.away) < r2) {
+            const std::uint32_t found = kernels_->scan(groups_.data(), at.node->bucket(), scan, r2, d2, index);
+            for (std::uint32_t i = 0; i < found; ++i) visit(index[i], d2[i], r2);
+        }
+        if (pending == 0) return;
+        at = stack[--pending];
+    }
+}
+
 }  // namespace cardioid::photon
