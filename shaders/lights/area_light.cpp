@@ -34,7 +34,7 @@ public:
         : AreaLight(params, to_world, size, Plate(to_world, params)) {}
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
-        if (grid() > 0) return sample_grid_point(p, point(grid_place(u, grid())), plate_.front);
+        if (grid() > 0) return sample_grid(p, u);
         if (!(dot(p - plate_.centre, plate_.front) > 0)) return {};
         if (is_near(p)) {
             const SolidAngleRectangle seen = seen_from(p);
@@ -78,6 +78,7 @@ private:
         to_y_ = cross(n, edge_x_) / dot(cross(n, edge_x_), edge_y_);
         // Six digits of a rotation in the file leave corners this far from square.
         right_angled_ = std::abs(dot(edge_x_, edge_y_)) < 1e-5 * width_ * height_;
+        each_stratum(grid(), [&](Vec2 u) { add_grid_point({point(u), plate_.front}); });
     }
     /// Whether the solid angle is worth its while.
     [[nodiscard]] bool is_near(Vec3d p) const noexcept {

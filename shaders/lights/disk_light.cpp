@@ -25,10 +25,12 @@ public:
                std::numbers::pi * radius * radius * scale * scale),
           plate_(to_world, params),
           local_radius_(radius),
-          radius_(radius * scale) {}
+          radius_(radius * scale) {
+        each_stratum(grid(), [&](Vec2 u) { add_grid_point({point(u), plate_.front}); });
+    }
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
-        if (grid() > 0) return sample_grid_point(p, point(grid_place(u, grid())), plate_.front);
+        if (grid() > 0) return sample_grid(p, u);
         return sample_plate_point(plate_, area(), radiance(), p, point(u));
     }
     [[nodiscard]] float pdf(Vec3d p, Vec3 wi) const noexcept override {

@@ -1,5 +1,6 @@
 #include "shaders/lights/lamp.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cardioid::shaders {
@@ -48,13 +49,15 @@ LightEmission Lamp::leave_along(Vec3d o, Vec3d normal, Vec3 d) const noexcept {
     return out;
 }
 
-LightSample Lamp::sample_grid_point(Vec3d p, Vec3d q, Vec3d n) const noexcept {
-    const Vec3d to_lamp = q - p;
-    const double distance = length(to_lamp), height = -dot(to_lamp, n);
+LightSample Lamp::sample_grid(Vec3d p, Vec2 u) const noexcept {
+    const GridPoint& point = grid_points_[grid_number(u, grid_)];
+    const Vec3d to_lamp = point.q - p;
+    const double height = -dot(to_lamp, point.n);
     if (!(height > 0)) return {};
-    const Rgb L = radiance_ * static_cast<float>(height * area_ / (distance * distance * distance));
+    const double distance = length(to_lamp), inverse = 1 / distance;
+    const Rgb L = radiance_ * static_cast<float>(height * area_ * (inverse * inverse * inverse));
     if (!is_finite(L)) return {};
-    return {Vec3(to_lamp / distance), distance, L, 1, true};
+    return {Vec3(to_lamp * inverse), distance, L, 1, true};
 }
 
 Plate::Plate(const Affine& to_world, const Params& params)
@@ -107,9 +110,12 @@ int read_grid(const Params& params) {
     return static_cast<int>(grid);
 }
 
-Vec2 grid_place(Vec2 u, int grid) noexcept {
+std::size_t grid_number(Vec2 u, int grid) noexcept {
     const auto side = static_cast<float>(grid);
-    return {(std::floor(u.x * side) + 0.5F) / side, (std::floor(u.y * side) + 0.5F) / side};
+    const auto at = [&](float x) {
+        return std::min(static_cast<std::size_t>(x * side), static_cast<std::size_t>(grid - 1));
+    };
+    return at(u.y) * static_cast<std::size_t>(grid) + at(u.x);
 }
 
 double required_length(const Params& params, const char* name) {

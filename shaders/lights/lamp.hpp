@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "rt_core/api/light.hpp"
 
 namespace cardioid::shaders {
@@ -21,8 +23,14 @@ protected:
     [[nodiscard]] LightEmission leave_along(Vec3d o, Vec3d normal, Vec3 d) const noexcept;
     [[nodiscard]] Rgb radiance() const noexcept { return radiance_; }
     [[nodiscard]] double area() const noexcept { return area_; }
-    /// With a grid: the light at p of the point q, whose unit normal is n, when it shines for the whole lamp.
-    [[nodiscard]] LightSample sample_grid_point(Vec3d p, Vec3d q, Vec3d n) const noexcept;
+    /// A point of a grid, and the unit normal of the lamp there.
+    struct GridPoint {
+        Vec3d q, n;
+    };
+    /// Takes the next point of the grid, row by row.
+    void add_grid_point(const GridPoint& point) { grid_points_.push_back(point); }
+    /// With a grid: the light at p of the point of the stratum that u lies in, when it shines for the whole lamp.
+    [[nodiscard]] LightSample sample_grid(Vec3d p, Vec2 u) const noexcept;
 
 private:
     LampShape shape_;
@@ -31,6 +39,7 @@ private:
     bool visible_;
     int grid_;
     FaceId face_;
+    std::vector<GridPoint> grid_points_;  ///< row by row
 };
 
 /// A flat lamp: where it lies and which way it shines.
@@ -61,8 +70,16 @@ double similarity_scale(const Affine& to_world, const Params& params, int axes);
 
 /// Reads `grid`: 0, or K for K x K points instead of the whole lamp. Throws Error(bad_input).
 int read_grid(const Params& params);
-/// The middle of the stratum that u lies in, of grid x grid.
-Vec2 grid_place(Vec2 u, int grid) noexcept;
+/// Number of the stratum that u lies in, of grid x grid, row by row.
+std::size_t grid_number(Vec2 u, int grid) noexcept;
+/// Calls use(u) with the middle of each stratum of grid x grid, row by row.
+template <class Use>
+void each_stratum(int grid, Use&& use) {
+    const auto side = static_cast<float>(grid);
+    for (int y = 0; y < grid; ++y)
+        for (int x = 0; x < grid; ++x)
+            use(Vec2{(static_cast<float>(x) + 0.5F) / side, (static_cast<float>(y) + 0.5F) / side});
+}
 
 /// A length above 0 that must be given. Throws Error(bad_input).
 double required_length(const Params& params, const char* name);

@@ -3,17 +3,22 @@
 ///     sky(radiance = [0.4, 0.6, 1]);
 ///     sky(file = "harbour.exr", rotation = 90);
 ///     sky("studio");
+///     sky(cie = 12, elevation = 40, rotation = 135, radiance = 20);
 ///
-/// | parameter  | default | |
-/// |------------|---------|---|
-/// | `radiance` | 1       | [W/(sr unit^2)], or "studio": the built-in soft dome with a backdrop of its own |
-/// | `file`     |         | latitude-longitude picture that OpenImageIO reads; `radiance` then scales it |
-/// | `rotation` | 0       | turns the sky about its z axis [deg], counter-clockwise from above |
+/// | parameter   | default | |
+/// |-------------|---------|---|
+/// | `radiance`  | 1       | [W/(sr unit^2)], or "studio": the built-in soft dome with a backdrop of its own |
+/// | `file`      |         | latitude-longitude picture that OpenImageIO reads; `radiance` then scales it |
+/// | `cie`       |         | 1 to 15: the CIE standard general sky of that type; `radiance` is then that of its zenith
+/// | | `elevation` | 60      | of the sun over the horizon [deg], 0 to 90, for `cie`: types 1, 3 and 5 do not ask where
+/// it is | | `rotation`  | 0       | turns the sky about its z axis [deg], counter-clockwise from above |
 ///
-/// The top of a picture is +z, its middle +x. Pictures and the studio are sampled by their brightness, an even sky
-/// uniformly. Transforms around it turn it too.
+/// The top of a picture is +z, its middle +x; a CIE sky has its sun over +x, black below the horizon, and no disc of
+/// the sun, which `sun()` gives. All but an even sky, which is sampled uniformly, are sampled by their brightness.
+/// Transforms around it turn it too.
 #include <optional>
 
+#include "shaders/lights/cie_sky.hpp"
 #include "shaders/lights/far_light.hpp"
 #include "shaders/lights/lamp.hpp"
 #include "shaders/lights/lights.hpp"
@@ -109,10 +114,33 @@ private:
     Rgb scale_;
 };
 
+class CieLook {
+public:
+    CieLook(const CieSky& sky, Rgb zenith) : sky_(sky), zenith_(zenith) {}
+    [[nodiscard]] LatLongDensity::Drawn sample(Vec2 u) const noexcept { return sky_.density().sample(u); }
+    [[nodiscard]] float pdf(Vec3 d) const noexcept { return sky_.density().pdf(d); }
+    [[nodiscard]] Rgb radiance(Vec3 d) const noexcept { return zenith_ * static_cast<float>(sky_.relative(Vec3d(d))); }
+    [[nodiscard]] Rgb backdrop(Vec3 d) const noexcept { return radiance(d); }
+    [[nodiscard]] Rgb integral() const noexcept { return zenith_ * static_cast<float>(sky_.integral()); }
+
+private:
+    CieSky sky_;
+    Rgb zenith_;
+};
+
 constexpr ParamSpec params[] = {
     {"radiance", ParamType::colour, "1", "[W/(sr unit^2)], or \"studio\" for the built-in dome; scales `file`"},
     {"file", ParamType::text, "", "latitude-longitude picture (EXR, HDR, PNG ...); its top is +z, its middle +x"},
-    {"rotation", ParamType::number, "0", "about the z axis [deg], counter-clockwise from above"}};
+    {"rotation", ParamType::number, "0", "about the z axis [deg], counter-clockwise from above"},
+    {"cie", ParamType::number, "", "1 to 15: CIE standard general sky of that type; `radiance` is its zenith's"},
+    {"elevation", ParamType::number, "60", "for `cie`: the sun's over the horizon [deg], 0 to 90; it stands over +x"}};
+
+CieSky cie_sky(const Params& params) {
+    const double type = params.number("cie", 5, 1, 15);
+    if (type != std::floor(type)) params.wrong("cie", "a whole number from 1 to 15");
+    if (params.has("file")) params.wrong("file", "left out where the sky is of a CIE type");
+    return {static_cast<int>(type), params.number("elevation", 60, 0, 90) * (std::numbers::pi / 180)};
+}
 
 std::unique_ptr<Light> make(const LightInputs& in) {
     const Affine to_world = turn(in);
@@ -121,9 +149,12 @@ std::unique_ptr<Light> make(const LightInputs& in) {
             in.params.wrong("radiance", "a colour or \"studio\"; found \"" + in.params.text("radiance") +
                                             "\" (a picture is given as file = \"...\")");
         if (in.params.has("file")) in.params.wrong("file", "left out where the sky is the studio");
+        if (in.params.has("cie")) in.params.wrong("cie", "left out where the sky is the studio");
         return std::make_unique<Sky<StudioLook>>(to_world, StudioLook{});
     }
     const Rgb radiance = in.params.colour("radiance", Rgb(1));
+    if (in.params.has("cie")) return std::make_unique<Sky<CieLook>>(to_world, CieLook{cie_sky(in.params), radiance});
+    if (in.params.has("elevation")) in.params.wrong("elevation", "left out where the sky is of no CIE type");
     if (!in.params.has("file")) return std::make_unique<Sky<EvenLook>>(to_world, EvenLook{radiance});
     const std::string file = in.params.text("file");
     const bool relative = !file.starts_with('/') && !in.base_dir.empty();
@@ -133,6 +164,7 @@ std::unique_ptr<Light> make(const LightInputs& in) {
 
 }  // namespace
 
-const LightKind sky_kind{"sky", "light from all directions: even, a picture, or the studio", params, make};
+const LightKind sky_kind{"sky", "light from all directions: even, of a CIE type, a picture, or the studio", params,
+                         make};
 
 }  // namespace cardioid::shaders

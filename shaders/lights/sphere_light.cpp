@@ -27,13 +27,15 @@ public:
         : Lamp(params, {LampShape::Kind::sphere, to_world, {radius, radius}},
                4 * std::numbers::pi * radius * radius * scale * scale),
           centre_(to_world.t),
-          radius_(radius * scale) {}
+          radius_(radius * scale) {
+        each_stratum(grid(), [&](Vec2 u) {
+            const Vec3d n = normalize(Vec3d(sample_sphere(u)));
+            add_grid_point({centre_ + n * radius_, n});
+        });
+    }
 
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept override {
-        if (grid() > 0) {
-            const Vec3d n = normalize(Vec3d(sample_sphere(grid_place(u, grid()))));
-            return sample_grid_point(p, centre_ + n * radius_, n);
-        }
+        if (grid() > 0) return sample_grid(p, u);
         const Cone cone = cone_from(p);
         if (cone.pdf() <= 0) return {};
         const double drop = double{u.x} * cone.one_minus_cos, sin2 = drop * (2 - drop);
@@ -51,8 +53,8 @@ public:
         return dot(chord, chord) / 2 <= cone.one_minus_cos ? cone.pdf() : 0;
     }
     [[nodiscard]] LightEmission emit(Vec2 u_place, Vec2 u_direction) const noexcept override {
-        // Lambert's distribution about all normals is, seen the other way, that of normals about all directions. Numbers
-        // that mean a direction in the world let photons be aimed.
+        // Lambert's distribution about all normals is, seen the other way, that of normals about all directions.
+        // Numbers that mean a direction in the world let photons be aimed.
         const Vec3 d = sample_sphere(u_direction);
         const Vec3d normal = normalize(Vec3d(Frame(d).to_world(sample_cosine_hemisphere(u_place))));
         return leave_along(centre_ + normal * radius_, normal, d);

@@ -25,12 +25,13 @@ public:
         const double s = std::sin(half_angle), h = std::sin(half_angle / 2);
         one_minus_cos_ = 2 * h * h;
         if (!parallel_) radiance_ = irradiance * static_cast<float>(1 / (std::numbers::pi * s * s));
+        each_stratum(grid_, [&](Vec2 u) { grid_directions_.push_back(towards(u)); });
     }
 
     [[nodiscard]] LightSample sample(Vec3d, Vec2 u) const noexcept override {
         constexpr double far = std::numeric_limits<double>::infinity();
         if (parallel_) return {Vec3(-direction_), far, irradiance_, 1, true};
-        if (grid_ > 0) return {towards(grid_place(u, grid_)), far, radiance_ * (1 / pdf()), 1, true};
+        if (grid_ > 0) return {grid_directions_[grid_number(u, grid_)], far, radiance_ * (1 / pdf()), 1, true};
         return {towards(u), far, radiance_, pdf()};
     }
     [[nodiscard]] float pdf(Vec3d, Vec3 wi) const noexcept override { return meets(wi) ? pdf() : 0; }
@@ -59,6 +60,7 @@ private:
     bool parallel_;
     int grid_;
     double one_minus_cos_;  ///< of half its apparent diameter
+    std::vector<Vec3> grid_directions_;
 };
 
 constexpr ParamSpec params[] = {

@@ -41,5 +41,12 @@ TEST(CubeRadiosity, HasTheDirectLightOfAPointSourceExactly) {
     EXPECT_NEAR(cube.irradiance(cube.solve({}, {}, 96), 96, 0, {0.5, 0.5, 0}), 1.90985931710 * 16, 1e-8);
 }
 
+TEST(CieSkies, HaveTheIntegralsOfTheStandardsFormula) {
+    // Published for the sun 60 degrees over the horizon, to 5 decimals.
+    const std::pair<double, double> known[] = {{1, 7.31516}, {5, 3.14159}, {8, 7.74527}, {12, 2.90647}, {15, 2.67057}};
+    for (const auto& [type, value] : known)
+        EXPECT_NEAR(known_formula("cie_sky_undivided", std::vector<double>{type, 60}), value, 3e-5) << type;
+}
+
 }  // namespace
 }  // namespace cardioid::test

@@ -17,4 +17,10 @@ struct Verdict {
 /// takes to prepare is shared out evenly among them.
 std::vector<Verdict> judge(const Setting& setting, const std::string& module);
 
+/// What is to be thought of a measurement.
+Verdict verdict_of(const KnownValue& known, const std::string& module, const Measured& found);
+
+/// Whether judge() would not have gone on, however unsure it was.
+bool as_long_as_allowed(const Measured& found, const std::string& module);
+
 }  // namespace cardioid::test

@@ -29,6 +29,7 @@ const std::vector<Case>& cases() {
         {"Sun", "sun", {{"direction", list({0.3, 0.2, -1})}, {"angle", number(30)}}, {}},
         {"ParallelSun", "sun", {{"direction", list({0.3, 0.2, -1})}, {"angle", number(0)}}, {}},
         {"Sky", "sky", {}, {}},
+        {"CieSky", "sky", {{"cie", number(13)}, {"elevation", number(25)}}, {}, false},
         {"Studio", "sky", {{"radiance", text("studio")}}, {}, false},
     };
     return all;

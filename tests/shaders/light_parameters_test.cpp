@@ -39,6 +39,12 @@ TEST(LightParameters, OfWrongValuesAreRefusedWithTheirPlace) {
     expect_message(fails("sun", {{"direction", list({0, 0, -1})}, {"angle", number(200)}}), "between 0 and 180");
     expect_message(fails("sky", {{"radiance", text("studioo")}}), "\"studio\"");
     expect_message(fails("sky", {{"radiance", text("studio")}, {"file", text("a.exr")}}), "file");
+    expect_message(fails("sky", {{"cie", number(0)}}), "between 1 and 15");
+    expect_message(fails("sky", {{"cie", number(2.5)}}), "whole number");
+    expect_message(fails("sky", {{"cie", number(3)}, {"elevation", number(91)}}), "between 0 and 90");
+    expect_message(fails("sky", {{"cie", number(3)}, {"file", text("a.exr")}}), "file");
+    expect_message(fails("sky", {{"cie", number(3)}, {"radiance", text("studio")}}), "cie");
+    expect_message(fails("sky", {{"elevation", number(30)}}), "elevation");
 }
 
 TEST(LightParameters, HaveGoodDefaults) {

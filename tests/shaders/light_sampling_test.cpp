@@ -66,6 +66,8 @@ TEST(LightSampling, OfSkiesHasItsDensity) {
     expect_light_density(*make_light("sky"), {});
     expect_light_density(*make_light("sky", {{"radiance", text("studio")}, {"rotation", number(30)}}), {});
     expect_light_density(*make_light("sky", {{"radiance", text("studio")}}, turned_about_x(1)), {});
+    expect_light_density(*make_light("sky", {{"cie", number(12)}, {"elevation", number(20)}}), {});
+    expect_light_density(*make_light("sky", {{"cie", number(1)}, {"rotation", number(50)}}, turned_about_x(1)), {});
 }
 
 /// Irradiance at p on a surface of normal n.

@@ -8,7 +8,7 @@ namespace cardioid::test {
 
 double known_formula(const std::string& name, Arguments args) {
     for (const auto formulas : {form_factor_formulas(), interreflection_formulas(), optics_formulas(),
-                                material_formulas(), caustic_formulas()})
+                                material_formulas(), caustic_formulas(), sky_formulas()})
         for (const Formula& formula : formulas)
             if (formula.name == name) {
                 if (formula.arguments == args.size()) return formula.value(args);

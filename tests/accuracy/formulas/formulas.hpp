@@ -18,12 +18,13 @@ struct Formula {
     double (*value)(Arguments);
 };
 
-/// A folder's file each: diffuse light, smooth surfaces, materials, curved mirrors and lenses.
+/// A file each: diffuse light, smooth surfaces, materials, curved mirrors and lenses, skies.
 std::span<const Formula> form_factor_formulas();
 std::span<const Formula> interreflection_formulas();
 std::span<const Formula> optics_formulas();
 std::span<const Formula> material_formulas();
 std::span<const Formula> caustic_formulas();
+std::span<const Formula> sky_formulas();
 
 /// Reflectances of a smooth surface across and within the plane of incidence, with eta the index beyond it over that on
 /// this side (Fresnel); 1, 1 under total internal reflection.
