@@ -3,7 +3,7 @@
 
 namespace cardioid {
 
-/// What OpenImageIO does for us. Its 250 shared libraries take 0.2 s of every start, more than many pictures, so it is
+/// What OpenImageIO does for us. Its 250 shared libraries take 0.15 s of every start, more than many pictures, so it is
 /// in a module of its own that is loaded when it is first asked. Both say what went wrong, "" for nothing; neither
 /// throws but std::bad_alloc.
 struct ImageCodecs {

@@ -79,7 +79,7 @@ private:
     bool pass();
     void render_tile(std::size_t index, std::uint32_t count);
     [[nodiscard]] EyeRay camera_ray(int x, int y, Sampler& sampler) const noexcept;
-    [[nodiscard]] PixelSample sample(int x, int y, Sampler& sampler) const noexcept;
+    void sample(int x, int y, Sampler& sampler, PixelSample& out) const noexcept;
     [[nodiscard]] std::vector<std::size_t> pixels_of(const Tile& tile) const;
     [[nodiscard]] std::vector<std::uint32_t> pixel_samples() const;
     void name_bad_pixel();
@@ -106,24 +106,24 @@ private:
 
 EyeRay Job::camera_ray(int x, int y, Sampler& sampler) const noexcept {
     Vec2d film{x + 0.5, y + 0.5};
-    const Vec2 u_film = sampler.next2(), u_lens = eye_.has_lens() ? sampler.next2() : Vec2{};
-    if (settings_.samples != 1)
-        film = film + (settings_.filter == Filter::box ? sample_box_filter(u_film) : sample_gaussian_filter(u_film));
-    return eye_.ray(film, u_lens);
+    if (settings_.samples != 1) {
+        const Vec2 u = sampler.next2();
+        film = film + (settings_.filter == Filter::box ? sample_box_filter(u) : sample_gaussian_filter(u));
+    }
+    return eye_.ray(film, eye_.has_lens() ? sampler.next2() : Vec2{});
 }
 
-PixelSample Job::sample(int x, int y, Sampler& sampler) const noexcept {
+/// Into what the sample before has left: clearing it takes a twentieth of a quick picture's time.
+void Job::sample(int x, int y, Sampler& sampler, PixelSample& out) const noexcept {
     const EyeRay camera = camera_ray(x, y, sampler);
     ++ray_counts.camera;
-    PixelSample out;
     if (sums_.wants_first_hit()) out.first = first_hit(scene_, camera);
     if (view_) {
         out.beauty = view_->colour(camera);
-        return out;
+        return;
     }
     out.parts = light_along(scene_, module_, camera, sampler);
     out.beauty = out.parts.sum();
-    return out;
 }
 
 /// More samples in all tiles, or in those where the noise asks for them; false where none are left to take.
@@ -149,13 +149,14 @@ void Job::render_tile(std::size_t index, std::uint32_t count) {
     std::uint64_t bad = 0;
     std::size_t first_bad = SIZE_MAX;
     PixelStream stream(settings_.seed, noise_.has_value());
+    PixelSample found;
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) {
             const std::size_t pixel = film_index(x, y);
             stream.begin(number_of(x, y), first, count);
             for (std::uint32_t s = 0; s < count; ++s) {
                 Sampler sampler = stream.next();
-                PixelSample found = sample(x, y, sampler);
+                sample(x, y, sampler, found);
                 if (is_bad(found.beauty)) {
                     ++bad;
                     first_bad = std::min(first_bad, pixel);

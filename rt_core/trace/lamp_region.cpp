@@ -39,9 +39,12 @@ bool LampRegion::first_boundary(const Ray& ray, std::uint32_t self, Hit& hit) co
         if (!ball_boundary(ray, leaving, hit)) return false;
     } else {
         if (leaving) return false;
+        // Most rays end before the plate's plane or look away from it: told without a division.
+        const double height = dot(to_local_.row[2], ray.o) + to_local_.t.z, rise = dot(to_local_.row[2], ray.d);
+        const double against = rise < 0 ? height : -height;
+        if (!(against > 0 && against < ray.t_max * std::abs(rise))) return false;
         const Vec3d o = to_local_.point(ray.o), d = to_local_.vector(ray.d);
-        const double t = -o.z / d.z;
-        if (!(t > 0 && t < ray.t_max)) return false;
+        const double t = -height / rise;
         const double x = o.x + t * d.x, y = o.y + t * d.y;
         const bool within = shape_.kind == LampShape::Kind::disc
                                 ? x * x + y * y <= shape_.size.x * shape_.size.x

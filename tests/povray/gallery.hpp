@@ -15,6 +15,7 @@ struct Entry {
     int silhouette = -1;              ///< pixels by which outlines differ, -1: not looked at
     std::vector<std::string> caught;  ///< mistakes that were found
     std::string size;                 ///< of the pictures that were timed
+    bool direct = true;               ///< drawn without photons
     double our_s = 0, povray_s = 0;   ///< user processor time of the whole run
     double our_render_s = 0;          ///< of it, of the rendering alone
 };

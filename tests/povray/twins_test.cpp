@@ -48,10 +48,13 @@ void time_programs(const Twin& twin, const Scene& scene, Entry& entry) {
             folder);
     ASSERT_EQ(done.status, 0) << done.messages;
     std::ifstream stats(folder / "timed.json");
-    entry.our_s = done.user_s;
-    entry.our_render_s = nlohmann::json::parse(stats).at("seconds").at("render_cpu");
+    const nlohmann::json seconds = nlohmann::json::parse(stats).at("seconds");
+    // The ledger of energy is made for --stats alone.
+    entry.our_s = done.user_s - seconds.value("ledger", 0.0);
+    entry.our_render_s = seconds.at("render_cpu");
+    entry.direct = !twin.writing().photons;
     // Photons are no part of what is counted there, but of the drawing.
-    if (twin.writing().photons) entry.our_render_s = entry.our_s;
+    if (!entry.direct) entry.our_render_s = entry.our_s;
     entry.povray_s = draw_by_povray(sdl_of(scene, twin.writing()), width, height).user_s;
 }
 

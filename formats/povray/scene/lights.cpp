@@ -17,6 +17,8 @@ constexpr double fade = 1e-3;
 constexpr double fade_gain = 1 / (2 * fade * fade);
 /// Parallel light comes from a plane so many diagonals of the scene away.
 constexpr double far = 10;
+/// Radius of the ball that is the studio's backdrop, POV-Ray's units: beyond every scene, within its largest distance.
+constexpr double backdrop_distance = 1e6;
 
 class LightWriter {
 public:
@@ -201,14 +203,31 @@ private:
     void sky() {
         if (!options_.photons) note("the sky is seen, but lights nothing without radiosity (--photons)");
         if (params_.has("file")) return note("a picture of the sky is left out");
+        if (params_.has("cie")) return note("a CIE sky is left out");
         if (!params_.is_text("radiance")) {
             text_ += fmt::format("background {{ {} }}\n", sdl(params_.colour("radiance", Rgb(1))));
             return;
         }
-        note("the studio's backdrop is written as bright as the light it gives");
         text_ +=
             "sky_sphere { pigment { function { select(z, 0.28 + 0.18*z, 0.28 + 0.32*z*z) }"
             " color_map { [0 rgb 0] [1 rgb 1] } } }\n";
+        backdrop();
+    }
+
+    /// What the eye sees behind the model is brighter than the light of the studio: a ball around the eye that shines
+    /// for nothing else. A colour map takes no value of 1, so its other end is at a half.
+    void backdrop() {
+        if (!space_.camera) return;
+        note("in POV-Ray the studio's backdrop is what is seen through glass too");
+        const bool even = space_.camera->projection == CameraSettings::Projection::orthographic;
+        const double z = normalize(space_.camera->look_at - space_.camera->eye).z;
+        const std::string eye = place(space_.camera->eye), height = even ? sdl(z) : "z";
+        text_ += fmt::format(
+            "#declare Backdrop = function(s) {{ s*s*(1.5 - s) }};\n"
+            "sphere {{ {0}, {1} pigment {{ function {{ Backdrop(min(1, max(0, {2}/0.8 + 1))) }}"
+            " color_map {{ [0 rgb 0.72] [0.5 rgb 0.98] }} scale {1} translate {0} }}"
+            " finish {{ emission 1 }} hollow no_shadow no_reflection no_radiosity }}\n",
+            eye, sdl(backdrop_distance), height);
     }
 
     const LightSettings& light_;

@@ -9,9 +9,10 @@ namespace cardioid::formats::povray {
 
 /// How lights are written.
 struct LightSpace {
-    double scale;     ///< POV-Ray's units to one of ours
-    Vec3d centre;     ///< of the scene, our units
-    double diagonal;  ///< of the scene, our units
+    double scale;                  ///< POV-Ray's units to one of ours
+    Vec3d centre;                  ///< of the scene, our units
+    double diagonal;               ///< of the scene, our units
+    const CameraSettings* camera;  ///< that looks at it; null where there is none
 };
 
 /// All lights of the scene, and what is seen of lamps. A lamp becomes K x K points in the middle of equal parts of it,

@@ -98,13 +98,38 @@ Look pov_finish(const Translation& t) {
                               sdl(p.number("roughness", 0.05)), sdl(p.number("metallic", 0)))};
 }
 
+/// Share of unpolarised light that a smooth surface of this index reflects, of what comes evenly from all sides.
+double mean_fresnel(double ior) {
+    constexpr int steps = 256;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double c = (i + 0.5) / steps, t = std::sqrt(1 - (1 - c * c) / (ior * ior));
+        const double s = (c - ior * t) / (c + ior * t), p = (t - ior * c) / (t + ior * c);
+        sum += (s * s + p * p) * c / steps;
+    }
+    return sum;
+}
+
+/// What the body under a coat reflects of light from all sides: it enters, is reflected inside any number of times, and
+/// leaves. POV-Ray's reflection takes nothing off what is matt, so all of it has to be in the pigment.
+Rgb coated(Rgb reflectance, double ior) {
+    const double entering = 1 - mean_fresnel(ior), leaving = entering / (ior * ior);
+    const auto channel = [&](float r) {
+        return static_cast<float>(entering * leaving * double{r} / (1 - double{r} * (1 - leaving)));
+    };
+    return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
+}
+
 Look plastic(const Translation& t) {
-    t.note("a coat over a matt body is written as a mirror of Fresnel's strength over it");
+    t.note(
+        "a coat over a matt body is written as a mirror of Fresnel's strength over it, the body as bright as from "
+        "all sides");
     if (t.params().number("roughness", 0) > 0) t.note("POV-Ray has no rough coat; it is written smooth");
-    return {.pigment = t.params().colour("reflectance", Rgb(0.5F)),
+    const double ior = t.params().number("ior", 1.5);
+    return {.pigment = coated(t.params().colour("reflectance", Rgb(0.5F)), ior),
             .diffuse = true,
-            .finish = "diffuse 1 reflection { 0, 1 fresnel on } conserve_energy",
-            .interior = fmt::format("ior {}", sdl(t.params().number("ior", 1.5))),
+            .finish = "diffuse 1 reflection { 0, 1 fresnel on }",
+            .interior = fmt::format("ior {}", sdl(ior)),
             .specular = true};
 }
 

@@ -53,7 +53,8 @@ public:
     std::string run() {
         const std::string globals = global_settings(), camera = cameras();
         const Materials materials = write_materials(scene_, scale_, notes_);
-        const std::string lights = write_lights(scene_, {scale_, centre_, diagonal_}, options_, notes_);
+        const CameraSettings* eye = scene_.cameras.empty() ? nullptr : &scene_.cameras.front();
+        const std::string lights = write_lights(scene_, {scale_, centre_, diagonal_, eye}, options_, notes_);
         const std::string solids = write_solids(scene_, {materials, scale_, diagonal_, options_.photons}, notes_);
         if (options_.notes) options_.notes->insert(options_.notes->end(), notes_.all().begin(), notes_.all().end());
         return head() + globals + camera + materials.declarations + lights + solids;

@@ -50,6 +50,7 @@ NextEvent::NextEvent(const World& world) : world_(world) {
         const LightSample s = light->sample(centre, {0.5F, 0.5F});
         found_by_rays_.push_back(!s.delta && light->casts_shadows() &&
                                  (s.trace || std::isinf(s.distance) || light->shape()));
+        is_point_.push_back(s.delta && s.wi == light->sample(centre, {0.1F, 0.3F}).wi);
         wide_light_ = wide_light_ || (found_by_rays_.back() && is_wide(*light, centre));
     }
     if (lights.size() <= most_lights) return;

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] Rgb sampled_light(const LightQuery& query, std::size_t light, float draws, Vec2 u) const noexcept;
     /// Whether a ray drawn from a Bsdf may find the light; else sampled_light() tells all of it.
     [[nodiscard]] bool found_by_rays(std::size_t light) const noexcept { return found_by_rays_[light]; }
+    /// Whether it stands in one direction from wherever it is seen, whatever numbers it is given.
+    [[nodiscard]] bool is_point(std::size_t light) const noexcept { return is_point_[light]; }
 
 private:
     /// How often a call of direct() draws from the light, on average.
@@ -42,7 +44,7 @@ private:
     [[nodiscard]] Rgb sampled_bsdf(const LightQuery& query, Sampler& sampler) const noexcept;
 
     const World& world_;
-    std::vector<bool> found_by_rays_;
+    std::vector<bool> found_by_rays_, is_point_;
     std::vector<float> light_cdf_;  ///< for the choice among many lights; empty while all are asked each time
     bool wide_light_ = false;       ///< some light is so wide that diffuse surfaces too look for it
     bool filters_ = false;          ///< some material lets shadow rays through

@@ -61,8 +61,13 @@ public:
         : world_(world), next_event_(next_event), sampler_(sampler) {}
 
     LightParts follow(const EyeRay& eye) noexcept {
-        push({eye.ray, eye.medium});
-        while (waiting_ > 0) step(*std::launder(reinterpret_cast<Way*>(memory_ + --waiting_ * sizeof(Way))));
+        // Most rays end at the first surface, without a way in the list.
+        const Way first{eye.ray, eye.medium};
+        step(first);
+        while (waiting_ > 0) {
+            const Way way = *std::launder(reinterpret_cast<const Way*>(memory_ + --waiting_ * sizeof(Way)));
+            step(way);
+        }
         return parts_;
     }
 
@@ -72,9 +77,7 @@ private:
             new (memory_ + waiting_++ * sizeof(Way)) Way(way);
     }
 
-    void add(const Way& way, Rgb LightParts::*part, Rgb L) noexcept {
-        (way.depth == 0 ? parts_.*part : parts_.specular) += way.throughput * L;
-    }
+    void add(int depth, Rgb LightParts::*part, Rgb L) noexcept { (depth == 0 ? parts_.*part : parts_.specular) += L; }
 
     [[nodiscard]] Rgb sky(const Way& way) const noexcept {
         const Vec3 d(way.ray.d);
@@ -83,27 +86,28 @@ private:
         return sum;
     }
 
-    /// Of a copy: the ways that go on take its place in the list.
-    void step(Way way) noexcept {
+    /// Not of a way that is still in the list: those that go on take its place.
+    void step(const Way& way) noexcept {
         const Hit hit = world_.intersect(way.ray);
+        Rgb arriving = way.throughput;
         // Infinity times no absorption would be NaN.
         if (!is_black(way.medium->absorption))
-            way.throughput *= exp(way.medium->absorption * -static_cast<float>(std::min(hit.t, 1e30)));
-        if (!hit.found()) return add(way, &LightParts::emission, sky(way));
+            arriving *= exp(way.medium->absorption * -static_cast<float>(std::min(hit.t, 1e30)));
+        if (!hit.found()) return add(way.depth, &LightParts::emission, arriving * sky(way));
         const SurfacePoint point = world_.surface(way.ray, hit);
         const Vec3 wo(-way.ray.d);
-        add(way, &LightParts::emission, world_.emitted(point, wo));
+        add(way.depth, &LightParts::emission, arriving * world_.emitted(point, wo));
         if (point.lamp >= 0) return;
         BsdfMemory memory;
         const Bsdf& bsdf = *world_.bsdf(point, memory);
-        if (!bsdf.is_delta()) add(way, &LightParts::direct, direct(point, bsdf, wo));
+        if (!bsdf.is_delta()) add(way.depth, &LightParts::direct, arriving * direct(point, bsdf, wo));
         if (!any(bsdf.lobes() & Lobe::specular)) return;
         const Vec3 wo_local = point.frame.to_local(wo);
-        go_on(way, point, transmitted(point, bsdf, wo_local), wo_local);
-        go_on(way, point, reflected(bsdf, wo_local), wo_local);
+        go_on(way, arriving, point, transmitted(point, bsdf, wo_local), wo_local);
+        go_on(way, arriving, point, reflected(bsdf, wo_local), wo_local);
     }
 
-    void go_on(const Way& from, const SurfacePoint& point, const Onward& onward, Vec3 wo_local) noexcept {
+    void go_on(const Way& from, Rgb arriving, const SurfacePoint& point, const Onward& onward, Vec3 wo_local) noexcept {
         if (is_black(onward.share)) return;
         ++ray_counts.specular;
         Way way = from;
@@ -114,7 +118,7 @@ private:
         if (unbent) way.ray.d = from.ray.d;
         way.straight = from.straight && unbent;
         way.medium = dot(point.ng, wi) > 0 ? point.front : point.back;
-        way.throughput *= onward.share;
+        way.throughput = arriving * onward.share;
         ++way.depth;
         push(way);
     }
@@ -126,7 +130,7 @@ private:
         for (std::size_t i = 0; i < lights.size(); ++i) {
             const int grid = lights[i]->grid();
             if (grid == 0) {
-                sum += next_event_.sampled_light(query, i, 1, sampler_.next2());
+                sum += next_event_.sampled_light(query, i, 1, next_event_.is_point(i) ? Vec2{} : sampler_.next2());
                 continue;
             }
             const float side = static_cast<float>(grid);

@@ -17,15 +17,17 @@ public:
     /// Numbers for the next sample; good until the one after it.
     Sampler next() {
         const std::uint32_t of_sequence = at_ % each_, lane = of_sequence % SampleBlock::samples;
-        if (lane == 0) {
-            const std::uint64_t sequence = at_ / each_;
-            block_.begin(seed_, Purpose::camera, pixel_ | sequence << 63, first_ + of_sequence);
-        }
+        const std::uint64_t index = pixel_ | std::uint64_t{at_ / each_} << 63;
         ++at_;
+        if (each_ <= few) return {seed_, Purpose::camera, index, first_ + of_sequence};
+        if (lane == 0) block_.begin(seed_, Purpose::camera, index, first_ + of_sequence);
         return {block_, lane};
     }
 
 private:
+    /// A block works out the numbers of sixteen samples, which so many by themselves are quicker than.
+    static constexpr std::uint32_t few = 2;
+
     std::uint32_t seed_;
     bool two_;
     SampleBlock block_;
