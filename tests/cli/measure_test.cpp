@@ -82,6 +82,7 @@ TEST(Overlap, IsFoundWithItsSizeAndPlace) {
     const csg::Overlap overlap = csg::measure_overlap(*a, *b, a->bounds().intersection(b->bounds()), 32, 1e-5);
     EXPECT_NEAR(overlap.volume, 5 * pi / 12, 0.01 * 5 * pi / 12);  // a lens of two caps of height 1/2
     EXPECT_NEAR(length(overlap.where - Vec3d{0.5, 0, 0}), 0, 0.1);
+    EXPECT_NEAR(overlap.depth, std::sqrt(3.0), 0.02);  // across the lens
     EXPECT_FALSE(csg::measure_overlap(*a, *touching, Box3d{{-1, 0.99, -1}, {1, 1.01, 1}}, 32, 1e-3).found());
 }
 

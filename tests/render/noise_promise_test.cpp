@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <optional>
 
 #include "path_kit.hpp"
 
@@ -122,12 +123,22 @@ double measured(const CommittedScene& scene, const Subject& subject) {
     return std::sqrt(sum / static_cast<double>(mean.size()) / (runs - 1));
 }
 
+#ifdef CARDIOID_LONG_RUN
+/// All of them as clean as a finished picture.
+constexpr std::optional<double> asked_of_all = 0.02;
+#else
+constexpr std::optional<double> asked_of_all;
+#endif
+
 class NoisePromise : public testing::TestWithParam<Subject> {};
 
 TEST_P(NoisePromise, IsKeptWithinAThird) {
     const CommittedScene scene = GetParam().kit().commit();
-    const double asked = GetParam().asked;
-    EXPECT_NEAR(measured(scene, GetParam()), asked, asked / 3);
+    Subject subject = GetParam();
+    subject.asked = asked_of_all.value_or(subject.asked);
+    const double found = measured(scene, subject);
+    RecordProperty("measured", std::to_string(found));
+    EXPECT_NEAR(found, subject.asked, subject.asked / 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, NoisePromise,
