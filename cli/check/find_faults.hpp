@@ -9,7 +9,7 @@
 namespace cardioid::cli {
 
 /// Whether solids of the file's top that share space are meant to: where OpenSCAD made it, the top is one union.
-/// `text` is the file. Solids whose material was named are bodies of their own there, too.
+/// `text` is the file.
 bool is_one_union(const Scene& scene, const std::string& text);
 
 /// What the reader warned of: solids of no size, unknown arguments, files that are not there. Substitutes and
@@ -30,7 +30,7 @@ void find_light_and_camera_faults(const Scene& scene, const CommittedScene& comm
 /// solids of one material in one statement are meant to be one, and media have priorities. Regions of a BRL-CAD
 /// database may overlap none other, whatever they are made of. Found by 16 x 16 lines along each axis through what the
 /// boxes of a pair have in common, so that an overlap much smaller than that may be missed; stretches shorter than 1e-5
-/// of the coordinates are faces that touch. one_union: solids of no named material may share space.
+/// of the coordinates are faces that touch. one_union: solids may share space, which is a note.
 void find_overlaps(const Scene& scene, const CommittedScene& committed, bool one_union, Findings& findings);
 /// Faces that coincide (notes: booleans are regularised), and what is left, solid or empty, between faces that ought to
 /// (slivers: faults).

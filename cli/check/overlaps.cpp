@@ -28,11 +28,6 @@ struct Part {
 /// The last part of the name of a region of BRL-CAD, "box.r" of "/all.g/box.r".
 std::string_view own_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
-bool is_named(const Scene& scene, std::uint32_t material) {
-    const std::string& name = scene.materials[material].name;
-    return name != "default" && !name.starts_with("color [");
-}
-
 std::vector<Part> parts_of(const Scene& scene, const CommittedScene& committed) {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < scene.solids.roots.size(); ++i) {
@@ -102,8 +97,7 @@ void find_overlaps(const Scene& scene, const CommittedScene& committed, bool one
     for (const Pair& pair : pairs) {
         if (!pair.overlap.found()) continue;
         const Part &a = parts[pair.a], &b = parts[pair.b];
-        const bool meant = one_union && !is_named(scene, a.material) && !is_named(scene, b.material);
-        (meant ? findings.notes : findings.faults).push_back(describe(a, b, pair.overlap));
+        (one_union ? findings.notes : findings.faults).push_back(describe(a, b, pair.overlap));
     }
 }
 

@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 
 /// Changed whenever the same input may give another mesh.
 constexpr std::uint64_t format_number = 3;
-constexpr double worth_keeping_s = 0.5;
 constexpr std::uintmax_t most_bytes = std::uintmax_t{256} << 20;
 
 /// The folder, or nothing where there is no place for one.
@@ -167,7 +166,8 @@ std::string ContentHash::text() const {
     return out;
 }
 
-std::vector<TriangleMesh> cached(const ContentHash& key, const std::function<std::vector<TriangleMesh>()>& make) {
+std::vector<TriangleMesh> cached(const ContentHash& key, const std::function<std::vector<TriangleMesh>()>& make,
+                                 double worth_keeping_s) {
     const std::optional<fs::path> in = folder();
     if (in)
         if (auto found = find(*in / key.text())) return std::move(*found);

@@ -6,6 +6,7 @@
 
 #include "csg/exact/hull.hpp"
 #include "csg/shapes/clipper_paths.hpp"
+#include "rt_core/api/error.hpp"
 
 namespace cardioid::csg {
 
@@ -108,8 +109,11 @@ Profile profile_minkowski(const Profile& a, const Profile& b, double grid) {
 }
 
 Profile widened_line(const std::vector<Vec2d>& points, double width, LineEnd end) {
-    constexpr double step = 1e-4;
+    constexpr double step = 1e-4, farthest = 1e11;
     Path line;
+    for (const Vec2d p : points)
+        if (!(std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(width) <= farthest))
+            throw Error(ErrorCode::bad_input, "a line reaches beyond 1e11, wanted one that does not");
     for (const Vec2d p : points)
         line.emplace_back(static_cast<ClipperLib::cInt>(p.x / step), static_cast<ClipperLib::cInt>(p.y / step));
     ClipperLib::ClipperOffset offset;

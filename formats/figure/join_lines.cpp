@@ -14,8 +14,7 @@ constexpr double grid = 0x1p-20;
 class Ends {
 public:
     std::size_t number(Vec2d p) {
-        const auto x = static_cast<std::int64_t>(std::llround(p.x / grid));
-        const auto y = static_cast<std::int64_t>(std::llround(p.y / grid));
+        const auto x = step(p.x), y = step(p.y);
         for (std::int64_t i = -1; i <= 1; ++i)
             for (std::int64_t j = -1; j <= 1; ++j)
                 if (const auto at = numbers_.find({x + i, y + j}); at != numbers_.end()) return at->second;
@@ -25,6 +24,10 @@ public:
     std::vector<Vec2d> points;
 
 private:
+    /// Beyond 2^42 all are the same: such drawings are damaged.
+    static std::int64_t step(double x) {
+        return static_cast<std::int64_t>(std::llround(std::fmin(std::fmax(x / grid, -0x1p62), 0x1p62)));
+    }
     std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> numbers_;
 };
 

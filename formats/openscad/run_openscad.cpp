@@ -122,7 +122,9 @@ Evaluated run_openscad(const std::string& text, const std::string& file) {
     Evaluated out{read_all(output), lines_with(said, "WARNING")};
     const std::vector<std::string> errors = lines_with(said, "ERROR");
     if (status != 0 || out.csg.find_first_not_of(" \t\r\n") == std::string::npos) {
-        if (status == 0 && errors.empty()) throw Error(ErrorCode::bad_input, file + ": openscad finds no model in it");
+        if (status == 0 && errors.empty())
+            throw Error(ErrorCode::bad_input, file + ": openscad finds no model in it" +
+                                                  (out.warnings.empty() ? "" : ": " + out.warnings[0]));
         const std::string why = !errors.empty() ? errors[0] : "exit status " + std::to_string(status);
         throw Error(ErrorCode::bad_input, file + ": openscad cannot evaluate it: " + why);
     }

@@ -31,6 +31,9 @@ LookupRule quick(LookupRule rule) {
     return rule;
 }
 
+/// Fewer photons than that may all be absorbed, or miss a model that they do light, by chance.
+constexpr std::uint64_t few_photons = 100;
+
 class Maker {
 public:
     Maker(const World& world, const Eye* eye, const PhotonOptions& options, const Plan& plan, const Tuning& tuning,
@@ -145,6 +148,11 @@ private:
     void warn_of_nothing(const Shot& shot) {
         if (shot.emitted == 0 || world_.lights().empty())
             progress_.log(0, "no light sends photons: indirect light is black; add a light, or leave out --photons");
+        else if (shot.emitted < few_photons)
+            progress_.log(
+                0, fmt::format("none of {} photon{} was kept: so few may miss everything; ask for more, or leave "
+                               "their number out",
+                               shot.emitted, shot.emitted == 1 ? "" : "s"));
         else if (shot.ledger.specular_first > 0)
             progress_.log(0,
                           fmt::format("none of {} photons met a surface that scatters light, only mirrors and glass: "

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "rt_core/api/error.hpp"
+#include "rt_core/image/openimageio_libraries.hpp"
 
 namespace cardioid {
 namespace {
@@ -11,14 +12,10 @@ namespace {
 /// Looked for where the program's RUNPATH says: beside the build, or in the installed lib/cardioid.
 constexpr const char* module_file = "cardioid_images.so";
 
-/// What OpenImageIO needs, each after what it needs itself: see cmake/openimageio_libraries.cmake.
-constexpr const char* libraries[] = {
-#include "openimageio_libraries.inc"
-    nullptr};
-
 const ImageCodecs* load() {
     // One that is missing, or does not load without the others, comes with the module, which tells what is wrong.
-    for (const char* const* library = libraries; *library; ++library) dlopen(*library, RTLD_LAZY | RTLD_LOCAL);
+    for (const char* const* library = openimageio_libraries; *library; ++library)
+        dlopen(*library, RTLD_LAZY | RTLD_LOCAL);
     dlerror();
     void* const object = dlopen(module_file, RTLD_LAZY | RTLD_LOCAL);
     if (!object) throw Error(ErrorCode::io, fmt::format("cannot load the picture formats: {}", dlerror()));

@@ -53,6 +53,43 @@ TEST(BrlcadSolids, HaveTheVolumesOfTheirFormulas) {
         "put a bot mode volume orient cw V {{0 0 0} {3 0 0} {0 3 0} {0 0 3}} F {{0 1 2} {0 3 1} {1 3 2} {2 3 0}}", 4.5);
 }
 
+/// A square of 4 x 6 from (1, 0), with a round hole of radius 1, or rounded by a half circle or a parabola.
+std::string sketch_of(const std::string& curves) {
+    return "put s sketch V {0 0 0} A {1 0 0} B {0 1 0} VL {{1 0} {5 0} {5 6} {1 6} {3 3} {4 3} {9 3}} SL {" + curves +
+           "}\n";
+}
+
+TEST(BrlcadSolids, OfSketchesHaveTheVolumesOfTheirFormulas) {
+    const std::string lower = "{line S 0 E 1} {line S 3 E 2} {line S 3 E 0} ", right = "{line S 1 E 2} ";
+    const std::string hole = "{carc S 5 E 4 R -1 L 0 O 0} ", bow = "{carc S 1 E 2 R 3 L 1 O 0} ";
+    const std::string parabola = "{bezier D 2 P {1 6 2}} ";
+    const std::string extrude = "put a extrude V {1 2 3} H {1 0 5} A {1 0 0} B {0 1 0} S s",
+                      pi_text = "3.141592653589793";
+    expect_volume(sketch_of(lower + right) + extrude, 24 * 5);
+    expect_volume(sketch_of(lower + right + hole) + extrude, (24 - pi_d) * 5);
+    expect_volume(sketch_of(lower + bow) + extrude, (24 + pi_d * 9 / 2) * 5);
+    expect_volume(sketch_of(lower + parabola) + extrude, (24 + 2.0 / 3 * 6 * 2) * 5);
+    // Pappus: the middle of the square goes round at 3.
+    const std::string revolve = "put a revolve V {1 2 3} axis {0 1 2} R {1 0 0} sk_name s ang ";
+    expect_volume(sketch_of(lower + right) + revolve + "6.283185307179586", 2 * pi_d * 3 * 24);
+    expect_volume(sketch_of(lower + right + hole) + revolve + "6.283185307179586", 2 * pi_d * 3 * (24 - pi_d));
+    expect_volume(sketch_of(lower + right) + revolve + "1.0", 3 * 24);
+    expect_volume(sketch_of(lower + right) + revolve + pi_text, pi_d * 3 * 24);
+    expect_volume(sketch_of(lower + right) + revolve + "4.0", 4 * 3 * 24);
+}
+
+TEST(BrlcadSolids, OfSketchesThatAreNotThereOrOpenAreLeftOutWithANote) {
+    const std::string ball = "put b ell V {0 0 0} A {1 0 0} B {0 1 0} C {0 0 1}\n";
+    const std::string extrude = "put a extrude V {0 0 0} H {0 0 5} A {1 0 0} B {0 1 0} S ";
+    for (const auto& [text, part] : {std::pair{extrude + "t", "not there"},
+                                     {extrude + "b", "no sketch"},
+                                     {sketch_of("{line S 0 E 1}") + extrude + "s", "not closed"}}) {
+        const Scene scene = scene_of(ball + text);
+        ASSERT_FALSE(scene.warnings.empty()) << text;
+        EXPECT_NE(scene.warnings[0].find(part), std::string::npos) << scene.warnings[0];
+    }
+}
+
 TEST(BrlcadSolids, OperationsMeanWhatTheySay) {
     const std::string two =
         "put a arb8 V1 {0 0 0} V2 {2 0 0} V3 {2 2 0} V4 {0 2 0} V5 {0 0 2} V6 {2 0 2} V7 {2 2 2} V8 {0 2 2}\n"

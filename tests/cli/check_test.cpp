@@ -84,7 +84,7 @@ TEST(CheckReport, OverlapsHaveTheirPlaceDepthAndSolids) {
     EXPECT_EQ(fault["between"][1], "a.csg:2 (box, material \"default\")");
 }
 
-TEST(CheckReport, SolidsOfAnOpenScadFileAreOneUnionUnlessTheirMaterialIsNamed) {
+TEST(CheckReport, SolidsOfAnOpenScadFileAreOneUnion) {
     const Folder folder;
     const std::string solids = "cube(size = [4, 4, 4], center = false);\n";
     folder.write("a.csg", solids + "color([1, 0, 0, 1]) cube(size = [2, 2, 2], center = false);");
@@ -92,8 +92,6 @@ TEST(CheckReport, SolidsOfAnOpenScadFileAreOneUnionUnlessTheirMaterialIsNamed) {
     EXPECT_EQ(meant.status, 0) << meant.out;
     EXPECT_NE(meant.out.find("note: a.csg:1 (box, material \"default\") and a.csg:2"), std::string::npos) << meant.out;
     EXPECT_EQ(folder.call({"check", "a.csg", "--strict"}).status, 1);
-    folder.write("b.csg", "define_material(\"m\", kind = \"diffuse\");" + solids + "material(\"m\") cube(2);");
-    EXPECT_EQ(folder.call({"check", "b.csg"}).status, 1);
 }
 
 TEST(CheckReport, CoincidentFacesAreNotedWithTheirPlace) {

@@ -117,5 +117,32 @@ TEST_F(Compare, WritesAPageThatNeedsNothingElse) {
     EXPECT_EQ(page.find("/*DATA*/"), std::string::npos);
 }
 
+TEST_F(Compare, ReadsLimitsFromATomlFile) {
+    folder.write("test.toml",
+                 "# of a pattern\ngrid = 2\n\n[limits]\nbias = 0.02  # a fiftieth\n"
+                 "[regions]\n'left half' = [0, 0, 12, 16]\n");
+    const Outcome good = run({"b.exr", "a.exr", "--limits", "test.toml"});
+    EXPECT_EQ(good.status, 0) << good.out << good.err;
+    EXPECT_THAT(good.out, HasSubstr("left half"));
+    folder.write("test.toml", "[limits]\nbias = 0.005\n");
+    EXPECT_EQ(run({"b.exr", "a.exr", "--limits", "test.toml"}).status, 1);
+}
+
+TEST_F(Compare, NamesTheLineOfATomlFileThatItCannotRead) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"grid = 2\nbias", "test.toml:2: found \"bias\""},
+        {"[limits]\nbias = {a = 1}", "test.toml:2: found \"{a = 1}\""},
+        {"[limits]\nbias = 1\nbias = 2", "test.toml:3: found \"bias\", wanted each name once"},
+        {"[limits]\nbaas = 1", "did you mean \"bias\""},
+        {"grid = 0", "\"grid\" must be a whole number"},
+        {"skip-edges = 1", "must be true or false"}};
+    for (const auto& [text, message] : cases) {
+        folder.write("test.toml", text);
+        const Outcome bad = run({"a.exr", "b.exr", "--limits", "test.toml"});
+        EXPECT_EQ(bad.status, 3) << text;
+        EXPECT_THAT(bad.err, HasSubstr(message));
+    }
+}
+
 }  // namespace
 }  // namespace cardioid::test

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "csg/coincidence.hpp"
+#include "csg/compile.hpp"
+#include "csg/measure.hpp"
+#include "csg/region/weld_counts.hpp"
 
 // The search for faces near each other.
 namespace {
@@ -71,6 +74,19 @@ TEST(NearFaces, NothingIsFoundInNothing) {
     SolidTree unbounded;
     unbounded.roots = {unbounded.add_leaf({LeafKind::half_space, {}})};
     EXPECT_TRUE(csg::find_near_faces(unbounded, true, 1e-5).pairs.empty());
+}
+
+TEST(WeldCounts, CountEachCrossingOfFacesThatCoincide) {
+    const auto crossings = [](double gap) {
+        const auto whole = csg::compile_whole(neighbours(gap, 1), true);
+        const csg::WeldCounts before = csg::weld_counts();
+        EXPECT_EQ(csg::inside_spans(*whole, {-5, 5, 5}, {1, 0, 0}, 40).size(), gap > 1e-4 ? 2U : 1U);
+        const csg::WeldCounts after = csg::weld_counts();
+        return std::pair{after.exact - before.exact, after.welded - before.welded};
+    };
+    EXPECT_EQ(crossings(0), (std::pair<std::uint64_t, std::uint64_t>{1, 0}));
+    EXPECT_EQ(crossings(1e-5), (std::pair<std::uint64_t, std::uint64_t>{0, 1}));
+    EXPECT_EQ(crossings(1e-2), (std::pair<std::uint64_t, std::uint64_t>{0, 0}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <array>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -16,10 +16,16 @@ using test::survive;
 /// Damaged files of one extension, each written in place of the last.
 void survive_file(const std::string& extension, const std::string& sample, unsigned seed) {
     const test::TemporaryFile file("damaged." + extension, sample);
-    survive(sample, seed, [&](const std::string& bytes) {
-        std::ofstream(file.path(), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        static_cast<void>(read_mesh(file.path()));
-    });
+    survive(
+        sample, seed,
+        [&](const std::string& bytes) {
+            // A new file: to write over one waits for the disk.
+            std::filesystem::remove(file.path());
+            std::ofstream(file.path(), std::ios::binary)
+                .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            static_cast<void>(read_mesh(file.path()));
+        },
+        10);
 }
 
 TriangleMesh tetrahedron() {

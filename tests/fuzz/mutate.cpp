@@ -45,10 +45,11 @@ std::size_t mutations() {
     return given ? static_cast<std::size_t>(std::strtoull(given, nullptr, 10)) : 2000;
 }
 
-void survive(const std::string& sample, unsigned seed, const std::function<void(const std::string&)>& read) {
+void survive(const std::string& sample, unsigned seed, const std::function<void(const std::string&)>& read,
+             std::size_t share) {
     std::mt19937 random(seed);
     std::size_t refused = 0;
-    for (std::size_t i = 0; i < mutations(); ++i) {
+    for (std::size_t i = 0; i < mutations() / share; ++i) {
         const std::string text = mutated(sample, random);
         try {
             read(text);

@@ -119,3 +119,14 @@ TEST(Materials, MapColorTurnsAColourIntoAMaterial) {
     EXPECT_EQ(names("map_color([0.501961, 0, 0, 1], \"b\"); color(\"#800000\") cube();"), "b") << "6 digits count";
     EXPECT_TRUE(contains(error_of("map_color([1, 0, 0, 1], \"no\"); cube();"), "no material \"no\""));
 }
+
+TEST(Materials, AColourThatNothingHasIsToldWithTheNearestOnesThereAre) {
+    const Scene scene = read(
+        "color([1, 0, 0]) cube(); color([0, 0.5, 0]) cube();\n"
+        "define_material(\"b\", kind = \"diffuse\"); map_color([0, 0.498, 0, 1], \"b\");");
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_TRUE(contains(scene.warnings[0],
+                         "nothing has the colour [0, 0.498, 0, 1]; the model has [0, 0.5, 0, 1], "
+                         "[1, 0, 0, 1]"))
+        << scene.warnings[0];
+}

@@ -102,12 +102,33 @@ TEST(Minkowski, IsTheSameAtAnyPlaceButForThePlace) {
 
 TEST(Minkowski, OfOneChildIsTheChild) { EXPECT_EQ(tree_of(read("minkowski() { sphere(1); }")), "ball"); }
 
-TEST(Minkowski, ThatWouldFillTheMemoryIsRefused) {
+TEST(Minkowski, ThatWouldFillTheMemoryIsRefusedUnlessAllowed) {
+    const std::string dented = "difference() { sphere(1, $fn = 8); cube(1); }";
+    const std::string text = "minkowski() { " + dented + dented + " }";
     ReadOptions options;
     options.openscad_facets = true;
-    EXPECT_EQ(
-        error_of("minkowski() { sphere(1, $fn = 150); sphere(2, $fn = 150); }", options).find("t.csg:1:1: minkowski()"),
-        0U);
+    options.settings = {{"minkowski", "1000"}};
+    const std::string refusal = error_of(text, options);
+    EXPECT_EQ(refusal.find("t.csg:1:1: minkowski()"), 0U) << refusal;
+    EXPECT_NE(refusal.find("--set csg.minkowski="), std::string::npos) << refusal;
+    options.settings = {{"minkowski", "1e6"}};
+    EXPECT_EQ(error_of(text, options), "");
+}
+
+TEST(Minkowski, OfTwoBallsOfTenThousandFacetsIsDone) {
+    ReadOptions options;
+    options.openscad_facets = true;
+    const Scene scene = read("minkowski() { sphere(1, $fn = 100); sphere(0.3, $fn = 100); }", options);
+    ASSERT_EQ(scene.solids.meshes.size(), 1U);
+    EXPECT_GE(scene.solids.meshes[0]->vertices.size(), 5000U);
+}
+
+TEST(Hull, OfAConvexSolidIsThatSolid) {
+    EXPECT_EQ(tree_of(read("hull() { scale([1, 2, 3]) sphere(1); }")), "ball");
+    std::string nested = "cube(1); translate([2, 0, 0]) cube(1);";
+    for (int i = 0; i < 1000; ++i) nested = "hull() { " + nested + " }";
+    const Scene scene = read(nested);
+    EXPECT_EQ(scene.solids.meshes.size(), 1U);
 }
 
 TEST(Minkowski, OfPlaneFiguresIsTheirSum) {

@@ -63,6 +63,11 @@ TEST(PhotonFaults, OfOnePhotonAreNone) {
         said(lit_room, 0, {"--photons=1", "--set", "photon.caustic_count=0", "--set", "photon.indirect=gather"}));
 }
 
+TEST(PhotonFaults, OfOnePhotonThatMissesAreToldAsTooFew) {
+    expect_said(said(eye + "translate([0, 0, 40]) point_light(intensity = 1000); sphere(1);", 0, {"--photons=1"}),
+                "none of 1 photon was kept: so few may miss everything; ask for more");
+}
+
 TEST(PhotonFaults, OfMorePhotonsThanMemoryHoldsAreToldWithTheEstimate) {
     const std::string text = said(lit_room, 5, {"--photons=100000000", "--set", "photon.memory=500"});
     expect_said(text, "photon.count: 100000000 photons store about ");

@@ -52,6 +52,10 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+std::string share_text(double share) {
+    return share < 1e-5 ? "less than 0.001 %" : fmt::format("{:.2g} %", 100 * share);
+}
+
 std::string card(const Json& e) {
     std::string caught;
     for (const std::string mistake : e.at("caught")) caught += (caught.empty() ? "" : ", ") + mistake;
@@ -60,11 +64,11 @@ std::string card(const Json& e) {
     return fmt::format(
         "<div class=\"card\"><h3><a href=\"{0}/index.html\">{0}</a> <span class=\"{1}\">{2}</span></h3>"
         "<a class=\"pair\" href=\"{0}/index.html\"><img src=\"{0}/ours.png\" alt=\"ours\"><img src=\"{0}/povray.png\" "
-        "alt=\"POV-Ray\"></a><p>{3}</p><p class=\"soft\">{4:.3g} % of pixels beyond 1e-3, means differ by {5:.2g} %, "
+        "alt=\"POV-Ray\"></a><p>{3}</p><p class=\"soft\">{4:.3g} % of pixels beyond 1e-3, means differ by {5}, "
         "FLIP "
         "{6:.2g}{7}. Seen as wrong: {8}.</p></div>\n",
         e.at("name").get<std::string>(), good ? "good" : "bad", good ? "within its limits" : escaped(e.at("verdict")),
-        escaped(e.at("proves")), 100 * e.at("beyond").get<double>(), 100 * e.at("bias").get<double>(),
+        escaped(e.at("proves")), 100 * e.at("beyond").get<double>(), share_text(std::abs(e.at("bias").get<double>())),
         e.at("flip").get<double>(), outline < 0 ? "" : fmt::format(", {} pixels of outline differ", outline), caught);
 }
 
@@ -97,8 +101,8 @@ std::string speed_table(const std::vector<Json>& entries) {
         "counts start, reading and writing. Direct light is drawn with one sample a pixel by both, lens with 64 and "
         "128; Cornell box and caustics with each one's photons, not to equal error: docs/povray.md has that. Where we "
         "are less than three times as fast the figure is grey.</p><p>Scenes with direct light, our rendering against "
-        "the whole of POV-Ray: {}. The whole programs: {}. So the goal of three times for every one of them is not "
-        "met. The whole program loads OpenImageIO with its 250 libraries, 0.1 s whatever the picture; POV-Ray's start "
+        "the whole of POV-Ray: {}. The whole programs: {}. The goal is three times for every one of them. "
+        "The whole program loads OpenImageIO with its 250 libraries, 0.1 s whatever the picture; POV-Ray's start "
         "takes 0.01 s.</p>",
         standing(entries, "our_render_s"), standing(entries, "our_s"));
     text +=

@@ -82,4 +82,14 @@ TEST(FacetedSolids, HaveTheirVolume) {
     EXPECT_NEAR(volume(faceted_sphere(1, 1000)), 4 * std::numbers::pi / 3, 1e-4);
 }
 
+TEST(FacetedSolids, ApproachTheRoundOnesWithTheSquareOfTheirFacets) {
+    constexpr double ball = 4.0 / 3 * std::numbers::pi, rod = std::numbers::pi;
+    for (int n = 16; n <= 128; n *= 2) {
+        const double of_ball = (ball - volume(faceted_sphere(1, n))) / (ball - volume(faceted_sphere(1, 2 * n)));
+        const double of_rod = (rod - volume(faceted_cone(1, 1, 1, n))) / (rod - volume(faceted_cone(1, 1, 1, 2 * n)));
+        EXPECT_NEAR(of_ball, 4, 16.0 / n) << n;
+        EXPECT_NEAR(of_rod, 4, 16.0 / n) << n;
+    }
+}
+
 }  // namespace

@@ -37,8 +37,9 @@ float highlight(float cosine, float shine) { return cosine / (shine - shine * co
 
 class Tree {
 public:
-    Tree(const World& world, const std::vector<Lamp>& lamps, const RtFinish* around)
-        : world_(world), lamps_(lamps), around_(around) {}
+    Tree(const World& world, const std::vector<const RtFinish*>& finishes, const std::vector<Lamp>& lamps,
+         const RtFinish* around)
+        : world_(world), finishes_(finishes), lamps_(lamps), around_(around) {}
 
     /// What comes along the ray, in display values.
     Rgb along(const Ray& ray, int depth) const noexcept {
@@ -80,10 +81,8 @@ private:
         return around_->texture->at({azimuth < 0 ? azimuth + 1 : azimuth, 2 * elevation + 0.5});
     }
 
-    [[nodiscard]] const RtFinish* finish_of(std::uint32_t material) const noexcept {
-        const auto* surface = dynamic_cast<const RtSurface*>(world_.materials()[material].shader.get());
-        return surface ? &surface->finish() : nullptr;
-    }
+    /// Null where the material is none of rt's.
+    [[nodiscard]] const RtFinish* finish_of(std::uint32_t material) const noexcept { return finishes_[material]; }
 
     [[nodiscard]] Rgb lit(const Spot& spot, const Lamp& lamp) const noexcept {
         const auto& [point, n, d, finish, colour] = spot;
@@ -165,6 +164,7 @@ private:
     }
 
     const World& world_;
+    const std::vector<const RtFinish*>& finishes_;  ///< by material
     const std::vector<Lamp>& lamps_;
     const RtFinish* around_;
 };
@@ -174,6 +174,7 @@ public:
     void prepare(const World& world, const Eye*, Progress&) override {
         for (std::size_t i = 0; i < world.materials().size(); ++i) {
             const auto* surface = dynamic_cast<const RtSurface*>(world.materials()[i].shader.get());
+            finishes_.push_back(surface ? &surface->finish() : nullptr);
             if (surface && surface->finish().around) around_ = &surface->finish();
             if (!surface || !(surface->finish().light > 0)) continue;
             const RtFinish& f = surface->finish();
@@ -191,7 +192,7 @@ public:
             implicit.push_back(
                 {world.bounds().centre() + Vec3d(back + left) * far, Rgb(1 / (1 + 0.5F * ambient)), ~0U, false, -1});
         }
-        const Rgb c = Tree(world, lamps_.empty() ? implicit : lamps_, around_).along(eye.ray, 0);
+        const Rgb c = Tree(world, finishes_, lamps_.empty() ? implicit : lamps_, around_).along(eye.ray, 0);
         LightParts out;
         // A picture is written as a display shows it; rt writes its numbers as they are.
         out.direct = {srgb_decode(std::clamp(c.r, 0.0F, 1.0F)), srgb_decode(std::clamp(c.g, 0.0F, 1.0F)),
@@ -200,6 +201,7 @@ public:
     }
 
 private:
+    std::vector<const RtFinish*> finishes_;
     std::vector<Lamp> lamps_;
     const RtFinish* around_ = nullptr;
 };

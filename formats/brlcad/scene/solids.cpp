@@ -217,8 +217,7 @@ std::optional<std::uint32_t> add_solid(SolidTarget& target, const Solid& solid) 
             return add_extrude(target, solid);
         case SolidKind::revolve:
             return add_revolve(target, solid);
-        case SolidKind::sketch:
-            target.note = "is a sketch, which has no volume of its own";
+        case SolidKind::sketch:  // others extrude or turn it
             return std::nullopt;
         case SolidKind::unsupported:
             target.note = "is of type \"" + solid.type + "\", which is not supported, and is left out";
