@@ -1,5 +1,6 @@
 #include "photon/map/photon_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "photon/map/edges.hpp"
@@ -11,15 +12,28 @@ namespace cardioid::photon {
 
 namespace {
 
-/// Positions are floats about the origin of their map: heights of this share of its extent may be rounding.
+/// Positions are floats about the origin of their map: heights of this share of a place's distance may be rounding.
 constexpr float rounding = 0x1p-22F;
+
+/// How far half of the photons are from the origin, along one axis. Not how far all are: on a floor without end one
+/// photon in a million lands where its rounding is larger than the model.
+float usual_distance(const PointTree<Photon>& tree) {
+    constexpr std::uint32_t enough = 4096;
+    std::vector<float> distances;
+    const std::uint32_t step = std::max(tree.size() / enough, 1U);
+    for (std::uint32_t i = 0; i < tree.size(); i += step) distances.push_back(max_component(abs(tree.position(i))));
+    if (distances.empty()) return 0;
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return *middle;
+}
 
 }  // namespace
 
 PhotonMap::PhotonMap(std::vector<Photon> photons, Vec3d origin, float flux_scale)
-    : tree_(std::move(photons)), origin_(origin), flux_scale_(flux_scale) {
-    slack_ = rounding * std::max(max_component(abs(tree_.lo())), max_component(abs(tree_.hi())));
-}
+    : tree_(std::move(photons)), origin_(origin), flux_scale_(flux_scale), distance_(usual_distance(tree_)) {}
+
+float PhotonMap::slack(Vec3 p) const noexcept { return rounding * std::max(distance_, max_component(abs(p))); }
 
 void PhotonMap::spread(const LookupRule& rule) { reach_ = spread_photons(*this, rule); }
 
@@ -29,7 +43,7 @@ PointQuery PhotonMap::query(Vec3 p, Vec3 n, std::uint32_t region, const LookupRu
             .n = n,
             .least_cos = rule.least_cos,
             .steepness = rule.steepness,
-            .slack = slack_,
+            .slack = slack(p),
             .flatten = rule.flatten,
             .region = rule.same_region ? region : FaceId::none};
 }
@@ -46,7 +60,7 @@ void PhotonMap::weigh(const SurfacePoint& point, Vec3 n, const LookupRule& rule,
     out.radius = rule.max_radius;
     if (found.size == 0) return;
     // Places are known to `slack` only: photons all at one place light a disc of that radius.
-    const float least2 = std::max(slack_ * slack_, std::numeric_limits<float>::min());
+    const float least2 = std::max(q.slack * q.slack, std::numeric_limits<float>::min());
     const float r2 = std::max(last_sets_radius ? found.d2[found.size - 1] : rule.max_radius * rule.max_radius, least2);
     out.radius = std::sqrt(r2);
     const EdgeRule edge = rule.edge == EdgeRule::probe && !world ? EdgeRule::hull : rule.edge;
@@ -98,7 +112,7 @@ float PhotonMap::reached_share(const World& world, const SurfacePoint& point, Ve
                          .radius = photons.radius,
                          .least_cos = rule.least_cos,
                          .steepness = rule.steepness,
-                         .slack = slack_,
+                         .slack = slack(Vec3(point.p - origin_)),
                          .same_region = rule.same_region,
                          .turn = found.index[0]};
     SurfaceProbe probe(world, disc);

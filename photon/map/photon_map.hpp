@@ -89,6 +89,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const noexcept { return tree_.memory_bytes() + reach_.memory_bytes(); }
 
 private:
+    /// Heights about p, relative to origin(), that may be rounding.
+    [[nodiscard]] float slack(Vec3 p) const noexcept;
     void weigh_spread(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
                       WeighedPhotons& out) const noexcept;
     /// Of the weight of the disc, what probes reach; drops photons that they cannot see.
@@ -99,7 +101,7 @@ private:
     KdReach reach_;  ///< radii of the photons' own discs
     Vec3d origin_;
     float flux_scale_ = 1;
-    float slack_ = 0;  ///< heights below this are rounding
+    float distance_ = 0;  ///< of half of the photons from the origin
 };
 
 }  // namespace cardioid::photon

@@ -49,6 +49,27 @@ TEST(PhotonMap, OfItsOwnPhotonsIsTheSame) {
     }
 }
 
+TEST(PhotonMap, IsNotBlurredByAPhotonAtTheHorizon) {
+    PhotonScene plane(1);
+    plane.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 20'000);
+    std::vector<Photon> photons = plane.map(1).photons();
+    for (const bool spread : {false, true}) {
+        const LookupRule rule{.spread = spread, .max_radius = 0.5F, .edge = EdgeRule::none};
+        const SurfacePoint point = point_at({0.5, 0.5, 0}, {0, 0, 1});
+        const auto found = [&] {
+            PhotonMap map(photons, {}, 1);
+            if (spread) map.spread(rule);
+            return map.irradiance(point, point.ng, rule).E.g;
+        };
+        const float near = found();
+        ASSERT_GT(near, 0);
+        photons.push_back(photons.front());
+        photons.back().p = {3e8F, -2e8F, 0};
+        EXPECT_NEAR(found(), near, 1e-3F * near) << spread;
+        photons.pop_back();
+    }
+}
+
 TEST(PhotonMap, TellsFluxDirectionAndPlaceOfAPhoton) {
     Photon photon{};
     photon.p = {1, 2, 3};
