@@ -26,8 +26,8 @@ public:
     /// Whether anything stands in (0, t_max).
     [[nodiscard]] virtual bool occluded(const Ray& ray) const noexcept = 0;
     /// Share of light that gets from ray.o to t_max: 0 behind anything opaque, less what materials with straight
-    /// shadows take. The medium at ray.o is taken to fill the whole way, and what it absorbs is left to the caller; what
-    /// other media on the way absorb more, or less, is in the share.
+    /// shadows take. The medium at ray.o is taken to fill the whole way, and what it absorbs is left to the caller;
+    /// what other media on the way absorb more, or less, is in the share.
     [[nodiscard]] virtual Rgb transmittance(const Ray& ray) const noexcept = 0;
     /// All about the point that `hit` found on `ray`, media on both sides included.
     [[nodiscard]] virtual SurfacePoint surface(const Ray& ray, const Hit& hit) const noexcept = 0;

@@ -105,7 +105,8 @@ TEST(Fuzz, AHundredThousandLevelsAreTheLimit) {
     const std::string deep = repeat("group(){\n", limit) + "cube();" + repeat("}", limit);
     EXPECT_EQ(test::tree_of(test::read(deep)), "box");
     const std::string message = test::error_of(repeat("group(){\n", limit + 2));
-    EXPECT_EQ(message, "t.csg:100002:1: found more than 100000 calls inside one another; --set csg.nesting allows more");
+    EXPECT_EQ(message,
+              "t.csg:100002:1: found more than 100000 calls inside one another; --set csg.nesting allows more");
     EXPECT_TRUE(contains(test::error_of(repeat("group() ", limit + 1) + "cube();"), "calls inside one another"));
     EXPECT_TRUE(contains(test::error_of("cube(" + repeat("[", limit + 1)), "lists inside one another"));
 }

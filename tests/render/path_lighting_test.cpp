@@ -83,8 +83,8 @@ TEST(PathLighting, MeetsTheReferenceCube) {
         kit.root(kit.scene.solids.add_node(SolidOp::subtract, {outer, inner}));
         kit.root(kit.box({-1, -1, 1}, {2, 2, 2}, glow));
         const CommittedScene scene = kit.commit();
-        expect_mean(PathKit(scene).radiance({0.5, 0.5, 0.9}, {0, 0, -1}, 400 * test::batch), wanted * rho / pi_d, "cube",
-                    1e-4);
+        expect_mean(PathKit(scene).radiance({0.5, 0.5, 0.9}, {0, 0, -1}, 400 * test::batch), wanted * rho / pi_d,
+                    "cube", 1e-4);
     }
 }
 

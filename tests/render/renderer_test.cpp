@@ -252,7 +252,8 @@ TEST(Renderer, ReplacesBadSamplesByBlackAndNamesTheFirst) {
 
 TEST(Renderer, LeavesAllToAModuleThatFollowsPathsItself) {
     class Whole final : public LightingModule {
-        [[nodiscard]] std::optional<LightParts> incoming(const World&, const EyeRay&, Sampler&) const noexcept override {
+        [[nodiscard]] std::optional<LightParts> incoming(const World&, const EyeRay&,
+                                                         Sampler&) const noexcept override {
             return LightParts{.indirect = Rgb(0.25F)};
         }
     };
