@@ -20,8 +20,7 @@ constexpr std::uint64_t count = 100'000;
 const Registry& registry() {
     static const std::unique_ptr<Registry> made = [] {
         auto r = make_registry();
-        for (const ShaderKind& kind : shaders::builtin_shaders()) r->add(kind);
-        for (const LightKind& kind : shaders::builtin_lights()) r->add(kind);
+        shaders::add_builtins(*r);
         return r;
     }();
     return *made;

@@ -18,8 +18,7 @@ namespace {
 
 // An explicit list: registrar objects with static constructors are dropped by the linker without a word.
 void add_builtins(Registry& registry) {
-    for (const ShaderKind& kind : shaders::builtin_shaders()) registry.add(kind);
-    for (const LightKind& kind : shaders::builtin_lights()) registry.add(kind);
+    shaders::add_builtins(registry);
     registry.add(formats::brlcad::rt_surface_kind);
     registry.add(direct_lighting);
     registry.add(path_lighting);

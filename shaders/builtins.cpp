@@ -17,4 +17,9 @@ std::span<const LightKind> builtin_lights() {
     return kinds;
 }
 
+void add_builtins(Registry& registry) {
+    for (const ShaderKind& kind : builtin_shaders()) registry.add(kind);
+    for (const LightKind& kind : builtin_lights()) registry.add(kind);
+}
+
 }  // namespace cardioid::shaders

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "rt_core/api/light.hpp"
+#include "rt_core/api/registry.hpp"
 #include "rt_core/api/shader.hpp"
 
 namespace cardioid::shaders {
@@ -10,5 +11,7 @@ namespace cardioid::shaders {
 std::span<const ShaderKind> builtin_shaders();
 /// Every light that comes with the program.
 std::span<const LightKind> builtin_lights();
+/// Both, into a registry.
+void add_builtins(Registry& registry);
 
 }  // namespace cardioid::shaders

@@ -98,7 +98,8 @@ LightingChoice choose_lighting(const RunOptions& options, const Scene& scene, co
         }
     if (name == "photon" && options.photon_error && !choice.params.has("error"))
         choice.params.set("error", *options.photon_error);
-    if (photons && options.photons != "true") apply_setting("photon.count=" + options.photons, registry, choice);
+    if (photons && options.photons != "true")
+        apply_setting(fmt::format("photon.count={}", to_count("--photons", options.photons)), registry, choice);
     for (const std::string& setting : options.settings) apply_setting(setting, registry, choice);
     return choice;
 }

@@ -1,7 +1,6 @@
 #include "cli/options/run_options.hpp"
 
 #include <fmt/format.h>
-#include <limits>
 
 #include "cli/options/values.hpp"
 #include "rt_core/api/error.hpp"
@@ -11,7 +10,7 @@ namespace cardioid::cli {
 void add_lighting_options(Arguments& a, RunOptions& o, const std::string& fallback) {
     a.text("--lighting", "NAME", fmt::format("How light travels; cardioid list lighting names them [{}]", fallback),
            o.lighting);
-    a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many", o.photons);
+    a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many, as 1e6 or 2.5M", o.photons);
     a.flag("--no-photons", "Without photons, whatever the scene says", o.no_photons);
     a.list("--set", "module.option=value", "An option of a lighting module or format; cardioid list options names them",
            o.settings);
@@ -47,8 +46,7 @@ void check_run_options(const RunOptions& o) {
     exclude(o.no_photons, o.lighting == "photon", "--no-photons and --lighting photon");
     exclude(o.quiet, o.verbose, "-q and -v");
     exclude(!o.save_map.empty(), !o.load_map.empty(), "--save-map and --load-map");
-    if (!o.photons.empty() && o.photons != "true")
-        to_integer("--photons", o.photons, 1, std::numeric_limits<std::int64_t>::max());
+    if (!o.photons.empty() && o.photons != "true") to_count("--photons", o.photons);
 }
 
 }  // namespace cardioid::cli

@@ -52,6 +52,18 @@ std::int64_t to_integer(std::string_view option, std::string_view text, std::int
     return *value;
 }
 
+std::int64_t to_count(std::string_view option, std::string_view text) {
+    constexpr std::string_view wanted = "a whole number from 1 to 1e15, as 20000, 1e8, 500k or 2.5M";
+    constexpr double most = 1e15;  // still exact as a double
+    const char last = text.empty() ? ' ' : text.back();
+    const double unit = last == 'k' ? 1e3 : last == 'M' ? 1e6 : last == 'G' ? 1e9 : 1;
+    const auto value = finite(unit > 1 ? text.substr(0, text.size() - 1) : text);
+    // 2.3M is not quite 2300000 as a product of doubles.
+    const double count = value ? std::round(*value * unit) : 0;
+    if (count < 1 || count > most || std::abs(*value * unit - count) > 1e-9 * count) refuse(option, text, wanted);
+    return static_cast<std::int64_t>(count);
+}
+
 std::vector<double> to_numbers(std::string_view option, std::string_view text, std::size_t count,
                                std::string_view wanted) {
     std::string_view inner = text;

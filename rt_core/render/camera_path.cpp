@@ -125,9 +125,16 @@ private:
         if (is_black(at_.throughput * s.weight)) return false;
         leave(at_, point, wo_local, s);
         if (at_.bounces < sure_bounces) return true;
-        const float chance = std::min(best_chance, max_component(at_.throughput));
+        static const float pat = getenv("PAT") ? atof(getenv("PAT")) : 1;
+        const float chance = std::min(best_chance, pat * carried());
         at_.throughput *= 1 / chance;
         return sampler_.next() < chance;
+    }
+
+    /// What of the eye's radiance the chain carries. Radiance is denser within glass and loses that where it leaves.
+    [[nodiscard]] float carried() const noexcept {
+        const float squeeze = at_.medium->ior / camera_.medium->ior;
+        return max_component(at_.throughput) * squeeze * squeeze;
     }
 
     static void leave(Place& place, const SurfacePoint& point, Vec3 wo_local, const BsdfSample& s) noexcept {

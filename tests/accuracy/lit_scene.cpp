@@ -15,8 +15,7 @@ namespace cardioid::test {
 const Registry& hooks() {
     static const std::unique_ptr<Registry> registry = [] {
         auto made = make_registry();
-        for (const ShaderKind& kind : shaders::builtin_shaders()) made->add(kind);
-        for (const LightKind& kind : shaders::builtin_lights()) made->add(kind);
+        shaders::add_builtins(*made);
         made->add(path_lighting);
         made->add(photon::photon_lighting);
         return made;

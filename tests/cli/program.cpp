@@ -5,10 +5,11 @@
 #include <fcntl.h>
 #include <fstream>
 #include <spawn.h>
-#include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/text_file.hpp"
 
 namespace cardioid::test {
 namespace {
@@ -19,13 +20,6 @@ fs::path make_folder() {
     std::string name = (fs::temp_directory_path() / "cardioid-test-XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no folder for a test");
     return name;
-}
-
-std::string file_text(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 std::vector<char*> pointers(std::vector<std::string>& words) {

@@ -1,24 +1,16 @@
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 #include "formats/openscad/openscad_format.hpp"
 #include "formats/openscad/syntax/parser.hpp"
 #include "formats/openscad/syntax/printer.hpp"
 #include "tests/language/read.hpp"
+#include "tests/text_file.hpp"
 
 using namespace cardioid;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string slurp(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return std::move(out).str();
-}
 
 /// Everything a scene says but the places it was said at.
 void expect_same(const Scene& a, const Scene& b) {
@@ -56,7 +48,7 @@ void expect_syntax_round_trips(const fs::path& folder) {
     std::size_t files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.path().extension() != ".csg") continue;
-        const auto ast = formats::openscad::parse(slurp(entry.path()), entry.path().string());
+        const auto ast = formats::openscad::parse(test::file_text(entry.path()), entry.path().string());
         const auto again = formats::openscad::parse(formats::openscad::print(ast), "printed");
         EXPECT_TRUE(formats::openscad::equal(ast, again)) << entry.path();
         ++files;
@@ -80,7 +72,7 @@ TEST(RoundTrip, EveryEvaluatedTestComesBackAsTheSameSceneOrIsRefusedByName) {
         ReadOptions options;
         options.registry = &test::small_registry();
         Scene scene;
-        const std::string text = slurp(entry.path());
+        const std::string text = test::file_text(entry.path());
         // Exact booleans over curves as fine as a picture wants them would take a minute.
         options.openscad_facets =
             text.find("projection(") != std::string::npos || text.find("minkowski(") != std::string::npos;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 #include "cli/builtins.hpp"
@@ -59,12 +58,6 @@ bool long_tests() {
     return wish && std::string(wish) != "0" && *wish;
 }
 
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return std::move(text).str();
-}
-
 std::vector<fs::path> programs_below(const std::string& folder) {
     std::vector<fs::path> found;
     std::error_code missing;
@@ -77,7 +70,7 @@ std::vector<fs::path> programs_below(const std::string& folder) {
 std::optional<fs::path> evaluated(const fs::path& program, const std::string& extension) {
     const fs::path folder = CARDIOID_MODEL_CACHE;
     fs::create_directories(folder);
-    const std::uint64_t key = hash_of(program.string() + "\n" + text_of(program));
+    const std::uint64_t key = hash_of(program.string() + "\n" + file_text(program));
     const fs::path file = folder / fmt::format("{:016x}{}", key, extension);
     if (!fs::exists(file)) {
         // Tests may run side by side: a file appears whole.
@@ -88,7 +81,7 @@ std::optional<fs::path> evaluated(const fs::path& program, const std::string& ex
         if (!fs::exists(fresh)) std::ofstream(fresh).flush();  // openscad's status is 0 even where it writes nothing
         fs::rename(fresh, file);
     }
-    if (text_of(file).find_first_not_of(" \t\r\n") == std::string::npos) return std::nullopt;
+    if (file_text(file).find_first_not_of(" \t\r\n") == std::string::npos) return std::nullopt;
     return file;
 }
 
@@ -97,7 +90,7 @@ Scene read_evaluated(const fs::path& csg, const fs::path& program) {
     options.registry = &registry();
     options.base_dir = program.parent_path().string();
     options.openscad_facets = true;
-    const std::string text = text_of(csg);
+    const std::string text = file_text(csg);
     return cli::find_reader(csg.string(), text, registry())->read(text, program.string(), options);
 }
 

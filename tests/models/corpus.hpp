@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rt_core/scene/scene.hpp"
+#include "tests/text_file.hpp"
 
 namespace cardioid::test {
 
@@ -31,7 +32,5 @@ Scene read_evaluated(const std::filesystem::path& csg, const std::filesystem::pa
 /// What an evaluated program needs that this version does not draw: "hull", "text", "import of dxf", ... without
 /// repeats. Found by a scan of its own, so that the reader's word is not taken for it.
 std::vector<std::string> nodes_to_come(const std::string& csg);
-
-std::string text_of(const std::filesystem::path& file);
 
 }  // namespace cardioid::test

@@ -27,7 +27,7 @@ int draw_all(const std::vector<fs::path>& programs, const std::vector<std::strin
                                        "none"};
         words.insert(words.end(), options.begin(), options.end());
         const Outcome outcome = folder.cardioid(words);
-        const std::vector<std::string> missing = csg ? nodes_to_come(text_of(*csg)) : std::vector<std::string>{};
+        const std::vector<std::string> missing = csg ? nodes_to_come(file_text(*csg)) : std::vector<std::string>{};
         if (csg && missing.empty()) {
             EXPECT_EQ(outcome.status, 0) << program << ": " << outcome.err;
             EXPECT_TRUE(folder.has("picture.png")) << program;

@@ -97,7 +97,7 @@ double mesh_volume(const Scene& scene) {
 /// The table was made where other fonts are installed.
 bool depends_on_fonts(const VolumeRow& row) {
     const auto csg = evaluated(row.program(), ".csg");
-    return csg && text_of(*csg).find("text(") != std::string::npos;
+    return csg && file_text(*csg).find("text(") != std::string::npos;
 }
 
 /// The volume of the mesh that openscad makes here.
@@ -161,7 +161,7 @@ void check_row(const VolumeRow& row, Tally& tally) {
         ++tally.without_reference;
         return;
     }
-    const std::vector<std::string> missing = nodes_to_come(text_of(*csg));
+    const std::vector<std::string> missing = nodes_to_come(file_text(*csg));
     for (const std::string& node : missing) ++tally.refused[node];
     try {
         const Scene scene = read_evaluated(*csg, row.program());

@@ -45,8 +45,7 @@ private:
 
 TEST(PhotonFaults, OfAMaterialThatGivesNoNumbersAreToldAndDarkenItAlone) {
     const auto registry = make_registry();
-    for (const ShaderKind& kind : shaders::builtin_shaders()) registry->add(kind);
-    for (const LightKind& kind : shaders::builtin_lights()) registry->add(kind);
+    shaders::add_builtins(*registry);
     registry->add(
         ShaderKind{"broken", "gives no numbers", {}, [](const ShaderInputs&) -> std::shared_ptr<const Shader> {
                        return std::make_shared<BrokenShader>();

@@ -51,7 +51,7 @@ TEST(PhotonMessages, NameEveryPhaseAndItsSeconds) {
 
 TEST(PhotonMessages, AccountForCountsBytesAndFlux) {
     const Folder folder;
-    static_cast<void>(drawn(folder, {"--photons=20000", "--stats", "a.json"}));
+    static_cast<void>(drawn(folder, {"--photons=20k", "--stats", "a.json"}));
     const json lighting = json::parse(folder.read("a.json"))["lighting"];
     EXPECT_EQ(lighting["photons emitted"], 20'000);
     for (const char* const name : {"photons stored", "caustic photons stored", "radiance photons", "cache points",

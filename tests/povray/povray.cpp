@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "rt_core/math/sampler.hpp"
+#include "tests/text_file.hpp"
 
 namespace cardioid::test {
 namespace {
@@ -32,13 +33,6 @@ std::string without_comments(const std::string& sdl) {
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("//")) text += line + "\n";
     return text;
-}
-
-std::string slurp(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 }  // namespace
@@ -64,7 +58,7 @@ Run run(const std::vector<std::string>& words, const fs::path& folder) {
     wait4(process, &status, 0, &usage);
     Run out{WIFEXITED(status) ? WEXITSTATUS(status) : 128,
             static_cast<double>(usage.ru_utime.tv_sec) + static_cast<double>(usage.ru_utime.tv_usec) * 1e-6,
-            slurp(caught)};
+            file_text(caught)};
     fs::remove(caught);
     return out;
 }

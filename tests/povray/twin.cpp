@@ -1,8 +1,6 @@
 #include "tests/povray/twin.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/builtins.hpp"
@@ -10,6 +8,7 @@
 #include "formats/openscad/openscad_format.hpp"
 #include "rt_core/render/picture_eye.hpp"
 #include "rt_core/render/renderer.hpp"
+#include "tests/text_file.hpp"
 
 namespace cardioid::test {
 namespace {
@@ -19,16 +18,9 @@ namespace fs = std::filesystem;
 const fs::path scenes = fs::path(CARDIOID_SOURCE_DIR) / "tests/povray/scenes";
 const fs::path examples = "/usr/share/openscad/examples";
 
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 }  // namespace
 
-Twin::Twin(const std::string& name) : name_(name), json_(nlohmann::json::parse(text_of(limits()))) {}
+Twin::Twin(const std::string& name) : name_(name), json_(nlohmann::json::parse(file_text(limits()))) {}
 
 fs::path Twin::csg() const { return scenes / (name_ + ".csg"); }
 fs::path Twin::limits() const { return scenes / (name_ + ".json"); }
@@ -39,11 +31,11 @@ Scene Twin::read() const {
     ReadOptions options;
     options.registry = &registry();
     options.base_dir = scenes.string();
-    Scene scene = formats::csg_format.read(text_of(csg()), csg().filename().string(), options);
+    Scene scene = formats::csg_format.read(file_text(csg()), csg().filename().string(), options);
     if (model().empty()) return scene;
     const fs::path path = examples / model();
     options.base_dir.clear();
-    Scene model_scene = formats::scad_format.read(text_of(path), path.string(), options);
+    Scene model_scene = formats::scad_format.read(file_text(path), path.string(), options);
     model_scene.film = scene.film;
     model_scene.cameras = scene.cameras;
     model_scene.lights = scene.lights;

@@ -179,8 +179,7 @@ std::shared_ptr<const Shader> make_broken(const ShaderInputs&) {
 
 EnergyLedger floor_of(const char* kind) {
     const std::unique_ptr<Registry> registry = make_registry();
-    for (const ShaderKind& known : shaders::builtin_shaders()) registry->add(known);
-    for (const LightKind& known : shaders::builtin_lights()) registry->add(known);
+    shaders::add_builtins(*registry);
     registry->add(ShaderKind{"generous", "", {}, make_generous});
     registry->add(ShaderKind{"broken", "", {}, make_broken});
     SceneKit kit = room();

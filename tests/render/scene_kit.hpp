@@ -21,8 +21,7 @@ inline Params params_of(std::initializer_list<std::pair<const char*, std::vector
 inline const Registry& builtins() {
     static const std::unique_ptr<Registry> registry = [] {
         auto made = make_registry();
-        for (const ShaderKind& kind : shaders::builtin_shaders()) made->add(kind);
-        for (const LightKind& kind : shaders::builtin_lights()) made->add(kind);
+        shaders::add_builtins(*made);
         return made;
     }();
     return *registry;
