@@ -78,27 +78,26 @@ Arguments::~Arguments() = default;
 
 void Arguments::group(const std::string& title) { app_->heading = title; }
 
-void Arguments::value(const std::string& names, const std::string& placeholder, const std::string& help,
+void Arguments::value(const std::string& names, const std::string& shape, const std::string& help,
                       const std::function<void(const std::string&)>& take) {
     const std::string name = names.substr(names.rfind(',') + 1);
-    const std::function<void(const std::string&)> checked = [name, placeholder, take](const std::string& text) {
+    const std::function<void(const std::string&)> checked = [name, shape, take](const std::string& text) {
         // CLI11 hands the next word over even where it is an option.
         if (text.empty() || text.starts_with("--"))
-            throw Error(ErrorCode::usage, fmt::format("{} needs a value {}, found \"{}\"", name, placeholder, text));
+            throw Error(ErrorCode::usage, fmt::format("{} needs a value {}, found \"{}\"", name, shape, text));
         take(text);
     };
-    app_->app.add_option_function(names, checked, help)->option_text(placeholder)->group(app_->heading)->take_last();
+    app_->app.add_option_function(names, checked, help)->option_text(shape)->group(app_->heading)->take_last();
 }
 
-void Arguments::text(const std::string& names, const std::string& placeholder, const std::string& help,
-                     std::string& to) {
-    value(names, placeholder, help, [&to](const std::string& text) { to = text; });
+void Arguments::text(const std::string& names, const std::string& shape, const std::string& help, std::string& to) {
+    value(names, shape, help, [&to](const std::string& text) { to = text; });
 }
 
-void Arguments::list(const std::string& names, const std::string& placeholder, const std::string& help,
+void Arguments::list(const std::string& names, const std::string& shape, const std::string& help,
                      std::vector<std::string>& to) {
     app_->app.add_option(names, to, help)
-        ->option_text(placeholder)
+        ->option_text(shape)
         ->group(app_->heading)
         ->allow_extra_args(false)
         ->take_all();

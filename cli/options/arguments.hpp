@@ -18,12 +18,12 @@ public:
     /// Options added from here on stand under this heading in the help.
     void group(const std::string& title);
     /// An option with one value; `take` throws Error(usage) where it does not understand it. Given twice, the last
-    /// counts. `names` as "-s,--size", `placeholder` as "WxH".
-    void value(const std::string& names, const std::string& placeholder, const std::string& help,
+    /// counts. `names` as "-s,--size", `shape` as "WxH".
+    void value(const std::string& names, const std::string& shape, const std::string& help,
                const std::function<void(const std::string&)>& take);
-    void text(const std::string& names, const std::string& placeholder, const std::string& help, std::string& to);
+    void text(const std::string& names, const std::string& shape, const std::string& help, std::string& to);
     /// An option that may be given many times.
-    void list(const std::string& names, const std::string& placeholder, const std::string& help,
+    void list(const std::string& names, const std::string& shape, const std::string& help,
               std::vector<std::string>& to);
     void flag(const std::string& names, const std::string& help, bool& to);
     /// A flag that may have a value, "--photons=1000"; "true" without.

@@ -10,7 +10,8 @@ namespace cardioid::cli {
 void add_lighting_options(Arguments& a, RunOptions& o, const std::string& fallback) {
     a.text("--lighting", "NAME", fmt::format("How light travels; cardioid list lighting names them [{}]", fallback),
            o.lighting);
-    a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many, as 1e6 or 2.5M", o.photons);
+    a.optional_value("--photons", "Short for --lighting photon; --photons=COUNT sets how many, as 1e6 or 2.5M",
+                     o.photons);
     a.flag("--no-photons", "Without photons, whatever the scene says", o.no_photons);
     a.list("--set", "module.option=value", "An option of a lighting module or format; cardioid list options names them",
            o.settings);

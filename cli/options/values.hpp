@@ -17,8 +17,8 @@ namespace cardioid::cli {
 double to_number(std::string_view option, std::string_view text, double lo = -std::numeric_limits<double>::infinity(),
                  double hi = std::numeric_limits<double>::infinity());
 std::int64_t to_integer(std::string_view option, std::string_view text, std::int64_t lo, std::int64_t hi);
-/// A whole number of at least 1: "20000", "1e8", "2.5e6", or of thousands, millions or thousand millions: "20k", "2.5M",
-/// "1G".
+/// A whole number of at least 1: "20000", "1e8", "2.5e6", or of thousands, millions or thousand millions: "20k",
+/// "2.5M", "1G".
 std::int64_t to_count(std::string_view option, std::string_view text);
 /// Numbers with commas between, in brackets or without.
 std::vector<double> to_numbers(std::string_view option, std::string_view text, std::size_t count,

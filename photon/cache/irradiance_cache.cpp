@@ -10,9 +10,9 @@ namespace {
 /// that the cache was made for.
 constexpr float comfort = 0.8F;
 
-/// How much a point counts whose error is t of what is allowed: Ward's 1/t, less its value at the border, so that
-/// points fade in.
-float weight(float t) { return 1 / std::max(t, 1e-3F) - 1; }
+/// How much a point counts whose error is t of what is allowed. Ward's 1/t shows each point's own noise as a blot
+/// around it; with gradients a point errs as t^2 alone, so that points count nearly alike and average their noise.
+float weight(float t) { return 1 - t; }
 
 }  // namespace
 
@@ -21,6 +21,15 @@ IrradianceCache::IrradianceCache(const CacheRules& rules, const Box3d& bounds)
       origin_(bounds.centre()),
       neighbours_(Vec3(bounds.lo - bounds.centre()),
                   static_cast<float>(std::max(max_component(bounds.size()), 1e-30))) {}
+
+void IrradianceCache::tame_gradient(CacheRecord& record) const {
+    const float known = rules_.reach * record.distance;
+    if (!(known < record.least)) return;
+    const float share = known / record.least;
+    record.translational.r *= share;
+    record.translational.g *= share;
+    record.translational.b *= share;
+}
 
 void IrradianceCache::clamp_neighbours(CacheRecord& record) {
     const float radius = reach(record);
@@ -37,6 +46,7 @@ void IrradianceCache::clamp_neighbours(CacheRecord& record) {
 
 void IrradianceCache::add(std::vector<CacheRecord> records) {
     for (CacheRecord& record : records) {
+        tame_gradient(record);
         const float own = reach(record);
         clamp_neighbours(record);
         neighbours_.add(record.p, own);

@@ -60,6 +60,8 @@ public:
     }
 
 private:
+    /// A record that is used beyond where it knows, for its reach has a lower limit, must not go on with its slope.
+    void tame_gradient(CacheRecord& record) const;
     void clamp_neighbours(CacheRecord& record);
     /// Whether nothing stands between the record's place and the one a step away.
     [[nodiscard]] bool is_free(std::uint32_t i, Vec3 step) const noexcept {

@@ -10,8 +10,8 @@ namespace cardioid::photon {
 /// checksum of both (8 bytes); the last section is named "end" and has no items. Numbers are those of the machine that
 /// wrote it; another kind of machine refuses the file.
 inline constexpr std::array<char, 8> file_magic{'C', 'A', 'R', 'D', 'M', 'A', 'P', '\n'};
-/// One more whenever a file of before would be misread. Version 1 had in LookupSizes::caustic_radius the largest disc of
-/// a lookup; since 2 it is how far photons of the caustic map reach.
+/// One more whenever a file of before would be misread. Version 1 had in LookupSizes::caustic_radius the largest disc
+/// of a lookup; since 2 it is how far photons of the caustic map reach.
 inline constexpr std::uint32_t file_version = 2;
 inline constexpr std::uint32_t byte_order = 0x01020304;
 inline constexpr const char* end_section = "end";

@@ -53,7 +53,7 @@ Rgb IncomingLight::follow(const SurfacePoint& start, Vec3 wi, Walk walk, Sampler
         walk.wo = -wi;
         BsdfMemory memory;
         const Bsdf* bsdf = world_.bsdf(point, memory);
-        const Lobe lobes = bsdf->lobes();
+        const Lobe lobes = bsdf->lobes() & way_on(*bsdf, point, walk, throughput, sampler);
         if (any(lobes & Lobe::diffuse)) sum += throughput * diffuse(point, *bsdf, walk, sampler);
         if (!any(lobes & (Lobe::glossy | Lobe::specular))) break;
         const float u_lobe = sampler.next();
@@ -66,6 +66,22 @@ Rgb IncomingLight::follow(const SurfacePoint& start, Vec3 wi, Walk walk, Sampler
         wi = point.frame.to_world(s.wi);
     }
     return sum;
+}
+
+/// The lobes to follow: all, but a branch of a branch goes one way, or between near places that shine as well as
+/// scatter rays would multiply with each of the many they pass.
+Lobe IncomingLight::way_on(const Bsdf& bsdf, const SurfacePoint& point, const Walk& walk, Rgb& throughput,
+                           Sampler& sampler) noexcept {
+    const Lobe lobes = bsdf.lobes();
+    if (walk.near == 0 || !any(lobes & Lobe::diffuse) || !any(lobes & (Lobe::glossy | Lobe::specular)))
+        return Lobe::all;
+    const Albedo albedo = bsdf.albedo(point.frame.to_local(walk.wo));
+    const float diffuse = max_component(albedo.diffuse), other = max_component(albedo.specular + albedo.transmitted);
+    if (!(diffuse > 0) || !(other > 0)) return Lobe::all;
+    const float share = diffuse / (diffuse + other);
+    const bool scatters = sampler.next() < share;
+    throughput *= 1 / (scatters ? share : 1 - share);
+    return scatters ? Lobe::diffuse : followed;
 }
 
 /// Light that the diffuse lobe of a place sends back along the ray.

@@ -42,6 +42,8 @@ private:
     struct Walk;
     [[nodiscard]] Rgb follow(const SurfacePoint& point, Vec3 wi, Walk walk, Sampler& sampler,
                              double& first) const noexcept;
+    [[nodiscard]] static Lobe way_on(const Bsdf& bsdf, const SurfacePoint& point, const Walk& walk, Rgb& throughput,
+                                     Sampler& sampler) noexcept;
     [[nodiscard]] Rgb diffuse(const SurfacePoint& point, const Bsdf& bsdf, const Walk& walk,
                               Sampler& sampler) const noexcept;
     [[nodiscard]] Rgb diffuse_nearby(const SurfacePoint& point, Rgb albedo, const Walk& walk,

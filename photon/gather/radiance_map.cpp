@@ -1,5 +1,7 @@
 #include "photon/gather/radiance_map.hpp"
 
+#include <algorithm>
+
 #include "photon/map/edges.hpp"
 
 namespace cardioid::photon {
@@ -8,10 +10,29 @@ namespace {
 
 /// The report lets normals differ by 60 degrees.
 constexpr float report_least_cos = 0.5F;
+
+std::unordered_map<std::uint32_t, float> farthest_reach(const std::vector<RadiancePhoton>& photons) {
+    std::unordered_map<std::uint32_t, float> out;
+    for (const RadiancePhoton& photon : photons) {
+        float& reach = out[photon.region];
+        reach = std::max(reach, photon.reach);
+    }
+    return out;
+}
+
 }  // namespace
 
+RadianceMap::RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin)
+    : origin_(origin), reach_(farthest_reach(photons)) {
+    tree_ = PointTree<RadiancePhoton>(std::move(photons));
+}
+
 const RadiancePayload* RadianceMap::nearest(const SurfacePoint& point, Vec3 ng) const noexcept {
-    const Nearest found = tree_.nearest(same_surface(Vec3(point.p - origin_), ng, point.id.region));
+    const auto reach = reach_.find(point.id.region);
+    if (reach == reach_.end()) return nullptr;
+    PointQuery query = same_surface(Vec3(point.p - origin_), ng, point.id.region);
+    query.max_radius = reach->second;  // else a search for what is not there goes through the whole tree
+    const Nearest found = tree_.nearest(query);
     if (!found.found()) return nullptr;
     const RadiancePayload& known = tree_.payload(found.index);
     return found.d2 <= known.reach * known.reach ? &known : nullptr;

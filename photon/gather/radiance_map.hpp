@@ -1,4 +1,5 @@
 #pragma once
+#include <unordered_map>
 #include <vector>
 
 #include "photon/map/photon.hpp"
@@ -33,7 +34,7 @@ inline RadiancePayload payload_of(const RadiancePhoton& photon) { return {photon
 class RadianceMap {
 public:
     RadianceMap() = default;
-    RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin) : tree_(std::move(photons)), origin_(origin) {}
+    RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin);
 
     /// The nearest place on the same side of the same solid, null where there is none or it does not reach so far.
     [[nodiscard]] const RadiancePayload* nearest(const SurfacePoint& point, Vec3 ng) const noexcept;
@@ -54,6 +55,7 @@ public:
 private:
     PointTree<RadiancePhoton> tree_;
     Vec3d origin_;
+    std::unordered_map<std::uint32_t, float> reach_;  ///< of the places of each region, the farthest
 };
 
 }  // namespace cardioid::photon

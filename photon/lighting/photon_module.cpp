@@ -33,7 +33,7 @@ void PhotonModule::make_maps(const World& world, const Eye* eye, Progress& progr
     scene_ = world.hash();
     progress.begin("plan");
     const Plan plan = make_plan(world, eye, options_, seed_, progress);
-    const Tuning tuning = tune(options_, seed_);
+    const Tuning tuning = tune(options_, eye, seed_);
     if (!options_.memory)
         tell({{"memory", fmt::format("{:.0f}", default_memory() / 1e6), "half of RAM [MB]"}}, progress);
     tell(plan.derived, progress);
@@ -168,7 +168,7 @@ void PhotonModule::load_maps(const std::string& path, const World& world, const 
     if (maps_.caustics && maps_.caustic_lookup.spread) maps_.caustics->spread(maps_.caustic_lookup);
     read_places("radiance", maps_.radiance);
     read_places("cache", maps_.precomputed);
-    const Tuning tuning = tune(options_, seed_);
+    const Tuning tuning = tune(options_, eye, seed_);
     tell(tuning.derived, progress);
     look_up_from(world, eye, tuning, progress);
 }

@@ -21,6 +21,16 @@ constexpr float caustic_reach = 0.8F;
 /// And at least so many pixels; what lies between is looked up in the map. A whole pixel blurs the edges of caustics.
 constexpr float caustic_pixels = 0.3F;
 
+/// Places that radiance photons are made of: what pictures of 200,000 pixels get, and fewer for small or rough ones.
+constexpr double most_places = 50'000, fewest_places = 12'000, usual_pixels = 200'000;
+
+double places_for(const Eye* eye, double strictness) {
+    if (!eye) return most_places;
+    const double pixels = static_cast<double>(eye->width()) * eye->height();
+    const double places = most_places * std::sqrt(strictness * std::sqrt(pixels / usual_pixels));
+    return std::clamp(places, fewest_places, most_places);
+}
+
 HemisphereCells cells_of(Strata strata) {
     switch (strata) {
         case Strata::cosine:
@@ -35,7 +45,7 @@ HemisphereCells cells_of(Strata strata) {
 
 }  // namespace
 
-Tuning tune(const PhotonOptions& options, std::uint32_t seed) {
+Tuning tune(const PhotonOptions& options, const Eye* eye, std::uint32_t seed) {
     Tuning tuning;
     const double strictness = usual_error / options.error;
     const std::string why = fmt::format("for photon.error {:g}", options.error);
@@ -56,7 +66,7 @@ Tuning tune(const PhotonOptions& options, std::uint32_t seed) {
     tuning.indirect_rules.most_pixels = static_cast<float>(options.cache_pixels[1]);
     tuning.caustic_rules = {.reach = caustic_reach, .least_pixels = caustic_pixels, .most_pixels = 20};
     tuning.overture = {.seed = seed};
-    tuning.radiance_photons = 50'000;
+    tuning.radiance_photons = static_cast<std::uint64_t>(places_for(eye, strictness));
     tuning.light_rays = 16;
     return tuning;
 }

@@ -2,6 +2,7 @@
 #include "photon/cache/overture.hpp"
 #include "photon/hemisphere/hemisphere.hpp"
 #include "photon/heuristics/plan.hpp"
+#include "rt_core/api/eye.hpp"
 
 namespace cardioid::photon {
 
@@ -15,6 +16,7 @@ struct Tuning {
     std::vector<Derived> derived;        ///< what nobody gave, for -v
 };
 
-[[nodiscard]] Tuning tune(const PhotonOptions& options, std::uint32_t seed);
+/// `eye` null: there is no picture.
+[[nodiscard]] Tuning tune(const PhotonOptions& options, const Eye* eye, std::uint32_t seed);
 
 }  // namespace cardioid::photon

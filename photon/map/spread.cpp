@@ -99,13 +99,19 @@ private:
         return best;
     }
 
-    /// Of the disc around photon i that holds k of them.
+    /// Of the disc around photon i that holds k of them, and never more than max_radius. Between the two it passes
+    /// smoothly: what is blurred away goes as the second derivative of brightness times area, so that a bend in the
+    /// radius is a dark line (1.8 % at a radius of 0.25 and a slope of 0.9 of the light itself for a unit of distance).
     [[nodiscard]] float radius_at(std::uint32_t i) const {
         const PointQuery q = map_.query(tree_.position(i), decode_direction(tree_.normal(i)), tree_.region(i), rule_);
         Neighbours found;
         tree_.nearest(q, rule_.k, found);
-        const bool all = found.size < rule_.k && std::isfinite(rule_.max_radius);
-        const float radius = all ? rule_.max_radius : std::sqrt(found.d2[found.size - 1]);
+        const float most2 = rule_.max_radius * rule_.max_radius;
+        const bool few = found.size < rule_.k && std::isfinite(most2);
+        const float holding2 =
+            few ? most2 * (static_cast<float>(rule_.k) / static_cast<float>(found.size)) : found.d2[found.size - 1];
+        const float share = holding2 / most2;
+        const float radius = std::sqrt(holding2 / std::sqrt(1 + share * share));
         // Photons all at one place light a disc as small as places are known.
         return std::max(radius, std::max(q.slack, 0x1p-60F));
     }

@@ -11,6 +11,9 @@ namespace {
 /// Specular bounces before Russian roulette begins, the best chance to live on then, and where a path ends anyway.
 constexpr int sure_bounces = 4, most_bounces = 10'000;
 constexpr float best_chance = 0.99F;
+/// A chain goes on for sure while it carries more than the inverse of this: one that carries a little and is raised to
+/// the whole of what the eye gets is a speck where it meets a lamp.
+constexpr float patience = 32;
 
 Rgb transmitted(const Medium& medium, double length) {
     if (is_black(medium.absorption)) return Rgb(1);
@@ -125,8 +128,7 @@ private:
         if (is_black(at_.throughput * s.weight)) return false;
         leave(at_, point, wo_local, s);
         if (at_.bounces < sure_bounces) return true;
-        static const float pat = getenv("PAT") ? atof(getenv("PAT")) : 1;
-        const float chance = std::min(best_chance, pat * carried());
+        const float chance = std::min(best_chance, patience * carried());
         at_.throughput *= 1 / chance;
         return sampler_.next() < chance;
     }

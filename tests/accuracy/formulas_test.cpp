@@ -48,5 +48,45 @@ TEST(CieSkies, HaveTheIntegralsOfTheStandardsFormula) {
         EXPECT_NEAR(known_formula("cie_sky_undivided", std::vector<double>{type, 60}), value, 3e-5) << type;
 }
 
+/// Mean irradiance of the floor within a square, by counting the rays of a beam of irradiance 1 that come down at 45
+/// degrees on a mirrored half ring of radius 1 and height 2; `most` reflections.
+double counted_in_ring(Vec2d lo, double edge, int most) {
+    constexpr int rays = 1500;
+    int there = 0;
+    for (int i = 0; i < rays * rays; ++i) {
+        double y = 2 * (i / rays + 0.5) / rays - 1, x = std::sqrt(1 - y * y), dx = 1, dy = 0;
+        double height = 2 * (i % rays + 0.5) / rays;
+        for (int k = 1; k <= most && x > 0; ++k) {
+            const double away = 2 * (dx * x + dy * y);
+            dx -= away * x, dy -= away * y;
+            const double px = x + dx * height - lo.x, py = y + dy * height - lo.y;
+            if (height <= away || x + dx * away < 0) {
+                there += px > 0 && px < edge && py > 0 && py < edge;
+                break;
+            }
+            x += dx * away, y += dy * away, height -= away;
+        }
+    }
+    return there * 4 * std::sqrt(0.5) / (rays * static_cast<double>(rays)) / (edge * edge);
+}
+
+TEST(RingMirror, HasLightOfSeveralReflectionsCloseToTheRing) {
+    constexpr double edge = 0.04;
+    constexpr int cells = 8;
+    for (const Vec2d lo : {Vec2d{0.78, 0.4}, {0.58, 0.72}, {0.86, 0.24}, {0.3, 0.1}}) {
+        double mean = 0;
+        for (int i = 0; i < cells * cells; ++i) {
+            const double x = lo.x + edge * (i / cells + 0.5) / cells, y = lo.y + edge * (i % cells + 0.5) / cells;
+            mean += known_formula("ring_mirror", std::vector<double>{x, y, 0}) / (cells * cells);
+        }
+        const double direct = std::sqrt(0.5), counted = counted_in_ring(lo, edge, 24);
+        EXPECT_NEAR(mean - direct, counted, 0.02 * counted) << lo.x;
+        // The first reflection alone would not do where there is a second.
+        if (std::hypot(lo.x, lo.y) > 0.8) {
+            EXPECT_LT(counted_in_ring(lo, edge, 1), 0.8 * counted);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace cardioid::test

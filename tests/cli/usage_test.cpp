@@ -68,18 +68,19 @@ TEST(WrongUsage, OfRenderEndsWithTwoAndOneLineThatNamesTheMistake) {
 }
 
 TEST(WrongUsage, OfLightingNamesWhatThereIs) {
-    expect_wrong({Wrong{{"a.csg", "--lighting", "dierct"}, "there is no lighting \"dierct\" in this program"},
-                  Wrong{{"a.csg", "--lighting", "dierct"}, "(did you mean \"direct\"?)"},
-                  Wrong{{"a.csg", "--photons", "--no-photons"}, "cannot be given together"},
-                  Wrong{{"a.csg", "--photons=few"}, "--photons: found \"few\""},
-                  Wrong{{"a.csg", "--photons=2.5"}, "--photons: found \"2.5\", wanted a whole number from 1 to 1e15, as"},
-                  Wrong{{"a.csg", "--photons=M"}, "--photons: found \"M\""},
-                  Wrong{{"a.csg", "--photons=1e99"}, "--photons: found \"1e99\""},
-                  Wrong{{"a.csg", "--set", "direct"}, "--set: found \"direct\", wanted module.option=value"},
-                  Wrong{{"a.csg", "--set", "dierct.x=1"}, "(did you mean \"direct\"?)"},
-                  Wrong{{"a.csg", "--set", "direct.bounces=1"}, "lighting \"direct\" has no option \"bounces\""},
-                  Wrong{{"a.csg", "--save-map", "m"}, "this lighting has no map to save"},
-                  Wrong{{"a.csg", "--load-map", "m"}, "this lighting has no map to load"}});
+    expect_wrong(
+        {Wrong{{"a.csg", "--lighting", "dierct"}, "there is no lighting \"dierct\" in this program"},
+         Wrong{{"a.csg", "--lighting", "dierct"}, "(did you mean \"direct\"?)"},
+         Wrong{{"a.csg", "--photons", "--no-photons"}, "cannot be given together"},
+         Wrong{{"a.csg", "--photons=few"}, "--photons: found \"few\""},
+         Wrong{{"a.csg", "--photons=2.5"}, "--photons: found \"2.5\", wanted a whole number from 1 to 1e15, as"},
+         Wrong{{"a.csg", "--photons=M"}, "--photons: found \"M\""},
+         Wrong{{"a.csg", "--photons=1e99"}, "--photons: found \"1e99\""},
+         Wrong{{"a.csg", "--set", "direct"}, "--set: found \"direct\", wanted module.option=value"},
+         Wrong{{"a.csg", "--set", "dierct.x=1"}, "(did you mean \"direct\"?)"},
+         Wrong{{"a.csg", "--set", "direct.bounces=1"}, "lighting \"direct\" has no option \"bounces\""},
+         Wrong{{"a.csg", "--save-map", "m"}, "this lighting has no map to save"},
+         Wrong{{"a.csg", "--load-map", "m"}, "this lighting has no map to load"}});
 }
 
 TEST(WrongUsage, OfTheOtherCommandsNamesTheNearest) {

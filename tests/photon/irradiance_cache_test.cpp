@@ -11,7 +11,7 @@ const Box3d box{{-1, -1, -1}, {1, 1, 1}};
 CacheRecord record(Vec3 p, Vec3 n, float E, float reach) {
     CacheRecord r;
     r.p = p, r.n = n, r.E = Rgb(E);
-    r.distance = 1;
+    r.distance = 10;
     r.least = r.most = reach;
     return r;
 }
@@ -49,6 +49,31 @@ TEST(IrradianceCache, ReproducesWhatChangesEvenly) {
     });
     for (double x = -0.9; x < 0.9; x += 0.013)
         EXPECT_NEAR(cache.irradiance({x, 0.4 - x / 2, 0}, up)->g, truth(x, 0.4 - x / 2), 1e-5);
+}
+
+TEST(IrradianceCache, AveragesTheNoiseOfItsPoints) {
+    std::mt19937 bits(5);
+    std::uniform_real_distribution<float> noise(-0.1F, 0.1F);
+    const IrradianceCache cache = random_floor(500, [&](Vec3 p) { return record(p, up, 1 + noise(bits), 0.2F); });
+    double before = 0, after = 0;
+    for (const CacheRecord& r : cache.records()) {
+        const float E = cache.irradiance(Vec3d(r.p), up)->g;
+        before += double{(r.E.g - 1) * (r.E.g - 1)};
+        after += double{(E - 1) * (E - 1)};
+    }
+    // Some ten points count alike, at a point's own place too.
+    EXPECT_LT(std::sqrt(after), 0.5 * std::sqrt(before));
+}
+
+TEST(IrradianceCache, DoesNotGoOnWithASlopeBeyondWhatAPointKnows) {
+    IrradianceCache cache({}, box);
+    // Beside the edge of a lamp: all changes within 0.01, and pixels are ten times as wide.
+    CacheRecord r = record({}, up, 1, 0.1F);
+    r.distance = 0.01F;
+    r.translational = {{100, 0, 0}, {100, 0, 0}, {100, 0, 0}};
+    cache.add({r});
+    EXPECT_NEAR(cache.irradiance({0.09, 0, 0}, up)->g, 1, 0.15);
+    EXPECT_NEAR(cache.irradiance({-0.09, 0, 0}, up)->g, 1, 0.15);
 }
 
 TEST(IrradianceCache, TurnsWithTheNormal) {

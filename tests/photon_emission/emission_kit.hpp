@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "photon/emission/shoot.hpp"
+#include "rt_core/api/eye.hpp"
 #include "tests/render/scene_kit.hpp"
 
 namespace cardioid::test {
@@ -32,6 +33,25 @@ inline Vec3d place(const photon::Shot& shot, const photon::Photon& photon) { ret
 inline Rgb flux(const photon::Shot& shot, const photon::Photon& photon) {
     return photon::decode_flux(photon.flux, shot.flux_scale);
 }
+
+/// Sees one place wherever it looks.
+class StaringEye final : public Eye {
+public:
+    StaringEye(const World& world, const Ray& ray, int side = 8)
+        : world_(world), point_(world.surface(ray, world.intersect(ray))), side_(side) {}
+    [[nodiscard]] int width() const noexcept override { return side_; }
+    [[nodiscard]] int height() const noexcept override { return side_; }
+    [[nodiscard]] Crop crop() const noexcept override { return {0, 0, side_, side_}; }
+    void look(Vec2d /*film*/, Sampler& /*sampler*/, const std::function<void(const Sight&)>& see) const override {
+        BsdfMemory memory;
+        see({point_, *world_.bsdf(point_, memory), point_.ng, Rgb(1), 0});
+    }
+
+private:
+    const World& world_;
+    SurfacePoint point_;
+    int side_;
+};
 
 /// Two-sided p-value of a mean that lies z standard errors away.
 inline double p_of_z(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }

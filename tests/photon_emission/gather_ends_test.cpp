@@ -4,29 +4,11 @@
 
 #include "emission_kit.hpp"
 
-#include "rt_core/api/bsdf.hpp"
-
 namespace cardioid {
 namespace {
 
 using test::SceneKit;
-
-/// Sees one place wherever it looks.
-class StaringEye final : public Eye {
-public:
-    StaringEye(const World& world, const Ray& ray) : world_(world), point_(world.surface(ray, world.intersect(ray))) {}
-    [[nodiscard]] int width() const noexcept override { return 8; }
-    [[nodiscard]] int height() const noexcept override { return 8; }
-    [[nodiscard]] Crop crop() const noexcept override { return {0, 0, 8, 8}; }
-    void look(Vec2d, Sampler&, const std::function<void(const Sight&)>& see) const override {
-        BsdfMemory memory;
-        see({point_, *world_.bsdf(point_, memory), point_.ng, Rgb(1), 0});
-    }
-
-private:
-    const World& world_;
-    SurfacePoint point_;
-};
+using test::StaringEye;
 
 /// A unit room in the dark beside one with a lamp.
 SceneKit two_rooms() {

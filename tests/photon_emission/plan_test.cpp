@@ -117,6 +117,34 @@ TEST(Plan, OfAGlassBallShootsCausticPhotons) {
     EXPECT_GT(unaimed.caustic_count, 2 * aimed.caustic_count);
 }
 
+std::uint64_t count_of_picture(double reflectance, double error, int side) {
+    SceneKit kit = test::lit_room("diffuse", {{"reflectance", {reflectance, reflectance, reflectance}}});
+    const CommittedScene world = kit.commit();
+    const test::StaringEye eye(world, {{0.5, 0.5, 0.5}, {0, 0, -1}}, side);
+    PhotonOptions options;
+    options.radius = 0.005;
+    options.error = error;
+    Progress progress;
+    return photon::make_plan(world, &eye, options, 1, progress).count;
+}
+
+// What is gathered is indirect light: its noise counts for less where lamps do most. Of n photons that fall in a closed
+// room 1 - n / (n + n r + n r^2 + ...) = r are indirect, and 1 / (1 - r) fall for each that is emitted.
+TEST(Plan, OfAPictureFollowsTheShareOfIndirectLight) {
+    const auto bright = static_cast<double>(count_of_picture(0.5, 0.05, 8)),
+               dim = static_cast<double>(count_of_picture(0.2, 0.05, 8));
+    EXPECT_NEAR(bright / dim, 0.5 * (1 - 0.5) / (0.2 * (1 - 0.2)), 0.6);
+    EXPECT_GT(bright, 20'000);
+}
+
+TEST(Plan, OfAPictureFollowsTheErrorThatIsWantedAndIsBoundedBySize) {
+    const std::uint64_t usual = count_of_picture(0.2, 0.05, 8), draft = count_of_picture(0.2, 0.1, 8);
+    EXPECT_NEAR(static_cast<double>(usual) / static_cast<double>(draft), 4, 0.01);
+    EXPECT_EQ(count_of_picture(0.2, 0.01, 8), 400'000U);
+    EXPECT_NEAR(static_cast<double>(count_of_picture(0.2, 0.02, 1000)) / static_cast<double>(usual), 6.25, 0.01);
+    EXPECT_EQ(count_of_picture(0.2, 0.001, 1000), 4'000'000U);
+}
+
 TEST(Plan, OfTheReportCountsFaces) {
     const Params params = [] {
         Params p;

@@ -103,6 +103,26 @@ TEST(Spread, DiscsAreNoLargerThanAllowed) {
     EXPECT_GT(map.irradiance(point_at({0.52, 0, 0}, up), up, rule).E.g, 0);
 }
 
+TEST(Spread, WhereDiscsComeToBeTheWidestIsNotDark) {
+    // Of light that falls to a 20th per unit: at x = 0 a disc of 0.25 holds k photons.
+    constexpr std::uint32_t k = 200;
+    const auto f = [](double x, double) { return std::exp(-3 * (x + 0.9)); };
+    LookupRule rule = rule_of(k);
+    rule.max_radius = 0.25F;
+    const double density = k / (std::numbers::pi * 0.25 * 0.25 * f(0, 0));
+    Moments m;
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        PhotonMap map = map_of(seed, density, 0.9F, f);
+        map.spread(rule);
+        double sum = 0;
+        for (int i = -6; i <= 6; ++i)
+            sum += double{map.irradiance(point_at({0.05, i * 0.1, 0}, up), up, rule).E.g} / (13 * f(0.05, 0));
+        m.add(sum);
+    }
+    EXPECT_NEAR(m.mean(), 1, 0.015) << m.standard_error();
+    EXPECT_LT(m.standard_error(), 0.01);
+}
+
 TEST(Spread, OfPhotonsAtOnePlaceIsFinite) {
     for (const std::size_t count : {1U, 2U, 100U}) {
         std::vector<Photon> photons(count, {{1, 2, 3}, encode_flux(Rgb(1), 1), 0, encode_direction(up), 0, {}, 0});

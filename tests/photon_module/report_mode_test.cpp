@@ -63,7 +63,7 @@ TEST(ReportMode, WithoutItsEdgeRuleHasDarkEdges) {
 /// Irradiance of radiance L(d) by the template of these options, of the true one.
 template <class Radiance>
 double by_template(const PhotonOptions& options, double truth, const Radiance& radiance) {
-    const Hemisphere h = tune(options, 0).hemisphere;
+    const Hemisphere h = tune(options, nullptr, 0).hemisphere;
     constexpr std::uint32_t seeds = 400;
     double sum = 0;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
@@ -89,7 +89,7 @@ TEST(ReportMode, HasTheHemisphereThatWasMeasured) {
                     wanted[2], 0.01);
     };
     PhotonOptions options = report();
-    const Hemisphere h = tune(options, 0).hemisphere;
+    const Hemisphere h = tune(options, nullptr, 0).hemisphere;
     EXPECT_EQ(h.size(), 78);
     options.half_jitter = false;
     expect(options, {0.955, 1.333, 1.333});

@@ -43,18 +43,29 @@ struct Leaving {
     }
 };
 
-/// By one reflection in the half ring, of a beam of normal irradiance 1 that travels at azimuth `turn`.
+/// By the half ring, of a beam of normal irradiance 1 that travels at azimuth `turn`. Close to the ring light arrives
+/// that has gone along it by several reflections, all of which must meet the half that is there.
 double ring_of_beam(double x, double y, double turn, double elevation) {
+    // A ray at the distance sin b from the middle goes 2 (pi / 2 - b) along the ring from one reflection to the next.
+    const int reflections = 1 + static_cast<int>(std::min(pi_d / 2 / std::acos(std::min(std::hypot(x, y), 1.0)), 24.0));
     const double px = x * std::cos(turn) + y * std::sin(turn), py = y * std::cos(turn) - x * std::sin(turn);
-    const auto leaving = [](double b) { return Leaving{b, pi_d + 2 * b}; };
     const double lo = std::max(-pi_d / 2, -pi_d / 2 - turn), hi = std::min(pi_d / 2, pi_d / 2 - turn);
     double sum = 0;
-    each_root([&](double b) { return leaving(b).aside(px, py); }, lo, hi, 2000,
-              [&](double b) {
-                  const double s = leaving(b).ahead(px, py);
-                  if (s > 0 && s <= 2 * std::cos(b) && s * std::tan(elevation) < 2)
-                      sum += std::sin(elevation) * std::cos(b) / std::abs(std::cos(b) - 2 * s);
-              });
+    for (int k = 1; k <= reflections; ++k) {
+        const auto at = [](double b, int i) { return b + (i - 1) * (pi_d + 2 * b); };
+        const auto leaving = [&](double b) { return Leaving{at(b, k), at(b, k) + pi_d + b}; };
+        const auto all_meet = [&](double b) {
+            for (int i = 2; i <= k; ++i)
+                if (std::cos(at(b, i) + turn) < 0) return false;
+            return true;
+        };
+        each_root([&](double b) { return leaving(b).aside(px, py); }, lo, hi, 2000,
+                  [&](double b) {
+                      const double s = leaving(b).ahead(px, py), chord = 2 * std::cos(b);
+                      if (s > 0 && s <= chord && ((k - 1) * chord + s) * std::tan(elevation) < 2 && all_meet(b))
+                          sum += std::sin(elevation) * std::cos(b) / std::abs((2 * k - 1) * std::cos(b) - 2 * k * s);
+                  });
+    }
     return sum;
 }
 
