@@ -66,6 +66,17 @@ void prepare_lighting(LightingModule& module, const RenderOptions& options, cons
     if (!options.save_map.empty() && !interrupted()) module.save(options.save_map);
 }
 
+/// A quick picture is drawn by few threads: to start one, and what it waits for work, takes as long as direct light for
+/// so many samples.
+void leave_threads_asleep(const RenderOptions& options, const RenderSettings& settings, const LightingKind& lighting) {
+    constexpr std::int64_t samples_a_thread = 20'000;
+    const bool quick = lighting.name == std::string_view("direct") || lighting.name == std::string_view("whitted");
+    if (options.threads > 0 || !quick || settings.time_s > 0 || settings.noise > 0) return;
+    const std::int64_t samples = std::int64_t{settings.width} * settings.height * settings.samples;
+    if (const std::int64_t worth = 1 + samples / samples_a_thread; worth < omp_get_max_threads())
+        omp_set_num_threads(static_cast<int>(worth));
+}
+
 void write_picture(const RenderReport& report, const Film& film) {
     ImageWriteSettings settings;
     settings.exposure = report.options.exposure.value_or(report.scene.film.exposure);
@@ -108,6 +119,8 @@ int render_scene(const RenderOptions& options, const std::string& command, Conso
     const CommittedScene committed(scene, *registry, measuring_compiler(model), {true, options.ground});
     warn_all(committed.warnings(), console);
     const RenderSettings settings = render_settings(options, scene, model, *module);
+    leave_threads_asleep(options, settings, *choice.kind);
+    check_image_formats();  // before the work whose picture would be lost
     watch.lap("build");
 
     catch_interrupts();  // until here there was nothing to save

@@ -88,6 +88,8 @@ TriangleMesh form_mesh(const Form& form, int corners, const TriangleMesh& ball) 
                 if (v.z > 0) v.x *= form.numbers[0], v.y *= form.numbers[1];
             return mesh;
         }
+        case FormKind::metaball:
+            return blob_mesh(form, corners);
         case FormKind::superellipsoid:
             break;
     }

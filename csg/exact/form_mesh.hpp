@@ -7,4 +7,8 @@ namespace cardioid::csg {
 /// sphere of as many corners, which a superellipsoid is moulded from.
 TriangleMesh form_mesh(const Form& form, int corners, const TriangleMesh& ball);
 
+/// A metaball's surface by marching tetrahedra over a grid, `corners` cells or at most 128 a side; its corners lie on
+/// the surface, parts smaller than a cell may be missed. Closed.
+TriangleMesh blob_mesh(const Form& form, int corners);
+
 }  // namespace cardioid::csg

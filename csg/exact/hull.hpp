@@ -12,6 +12,10 @@ TriangleMesh convex_hull(std::span<const Vec3d> points);
 /// The convex hull of plane points, counter-clockwise; empty where all lie on a line.
 std::vector<Vec2d> convex_hull(std::span<const Vec2d> points);
 
+/// What convex meshes have in common: exact but for the rounding of corners at the end. Time grows with the triangles
+/// of all times those of the result.
+TriangleMesh convex_intersection(std::span<const TriangleMesh> parts);
+
 /// Whether a closed mesh encloses as much as the hull of its corners, to what six digits tell.
 bool is_convex(const TriangleMesh& mesh);
 

@@ -1,6 +1,7 @@
 #include "csg/exact/mesh_cache.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <chrono>
 #include <cstdio>
@@ -131,8 +132,9 @@ void make_room(const fs::path& in, std::uintmax_t more) {
 
 void keep(const fs::path& in, const std::string& name, const std::string& bytes) {
     if (bytes.size() > most_bytes / 4) return;
+    static std::atomic<unsigned> number{0};  // two threads may make the same
     make_room(in, bytes.size());
-    const fs::path fresh = in / (name + "." + std::to_string(getpid()));
+    const fs::path fresh = in / (name + "." + std::to_string(getpid()) + "." + std::to_string(number++));
     std::error_code ignored;
     std::ofstream out(fresh, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

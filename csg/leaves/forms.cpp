@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/leaves/blobs.hpp"
 #include "csg/leaves/polynomial.hpp"
 #include "csg/leaves/solvers.hpp"
 
@@ -69,7 +70,8 @@ Polynomial<4> fourth_degree(const Form& form, Vec3d p, Vec3d w) {
 Box3d search_box(const Form& form) {
     Box3d box = form_box(form);
     const bool flat_y = form.kind == FormKind::trough;
-    const bool flat_z = form.kind != FormKind::tilted_ring && form.kind != FormKind::superellipsoid;
+    const bool flat_z =
+        form.kind != FormKind::tilted_ring && form.kind != FormKind::superellipsoid && form.kind != FormKind::metaball;
     for (int axis = 0; axis < 3; ++axis) {
         if ((axis == 1 && flat_y) || (axis == 2 && flat_z)) continue;
         const double by = stand_off * (box.hi[axis] - box.lo[axis]);
@@ -119,6 +121,67 @@ void append_superellipsoid(const Form& form, Vec3d p, Vec3d w, const Span& span,
     out.push_back(make_event(crossing(inside, span.t1), index, curved_face, false));
 }
 
+/// Events where f, outside at both ends of the span, changes sign.
+template <class Function>
+void append_changes(const Function& f, double t0, double t1, bool& inside, std::uint32_t index, EventList& out) {
+    each_sign_change(f, t0, t1, [&](double s) {
+        inside = !inside;
+        out.push_back(make_event(s, index, curved_face, inside));
+    });
+}
+
+/// x^power over a range of x >= 0.
+Range powers(Range x, double power) {
+    const double a = std::pow(x.lo, power), b = std::pow(x.hi, power);
+    return power < 0 ? Range{b, a} : Range{a, b};
+}
+
+/// A superellipsoid's function along p + s w, where no coordinate changes its sign: each coordinate's size is linear.
+class SuperellipsoidLine {
+public:
+    SuperellipsoidLine(const Form& form, Vec3d p, Vec3d w) : n_(form.numbers[0]), e_(form.numbers[1]), p_(p), w_(w) {}
+    [[nodiscard]] double value(double s) const { return sum(abs(p_ + w_ * s)) - 1; }
+    [[nodiscard]] Range range(double a, double b) const {
+        const Vec3d pa = abs(p_ + w_ * a), pb = abs(p_ + w_ * b);
+        return {sum(min(pa, pb)) - 1, sum(max(pa, pb)) - 1};
+    }
+    [[nodiscard]] Range slope(double a, double b) const {
+        const Vec3d pa = abs(p_ + w_ * a), pb = abs(p_ + w_ * b), lo = min(pa, pb), hi = max(pa, pb);
+        const Range ring{flat(lo), flat(hi)};
+        const Range outer = powers(ring, e_ / n_ - 1);
+        Range total{0, 0};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (w_[axis] == 0) continue;
+            const double power = axis < 2 ? 2 / e_ : 2 / n_;
+            Range part = powers({lo[axis], hi[axis]}, power - 1);
+            if (axis < 2) part = product_of_positive(part, outer);
+            const double speed = (pb[axis] - pa[axis]) / (b - a) * (axis < 2 ? 2 / n_ : power);
+            total = total + part * speed;
+        }
+        return std::isnan(total.lo) || std::isnan(total.hi) ? any_range : total;
+    }
+
+private:
+    [[nodiscard]] double flat(Vec3d q) const { return std::pow(q.x, 2 / e_) + std::pow(q.y, 2 / e_); }
+    [[nodiscard]] double sum(Vec3d q) const { return std::pow(flat(q), e_ / n_) + std::pow(q.z, 2 / n_); }
+    double n_, e_;
+    Vec3d p_, w_;
+};
+
+/// One that is not convex: piece by piece between the planes where a coordinate is 0.
+void append_hollow(const Form& form, Vec3d p, Vec3d w, const Span& span, EventList& out, std::uint32_t index) {
+    std::array<double, 5> ends{span.t0, span.t1, span.t1, span.t1, span.t1};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double s = -p[axis] / w[axis];
+        if (s > span.t0 && s < span.t1) ends[static_cast<std::size_t>(axis) + 1] = s;
+    }
+    std::sort(ends.begin(), ends.end());
+    const SuperellipsoidLine line(form, p, w);
+    bool inside = false;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if (ends[i] < ends[i + 1]) append_changes(line, ends[i], ends[i + 1], inside, index, out);
+}
+
 }  // namespace
 
 Box3d form_box(const Form& form) {
@@ -139,6 +202,7 @@ Box3d form_box(const Form& form) {
         }
         case FormKind::waist:
         case FormKind::superellipsoid:
+        case FormKind::metaball:
             break;
     }
     return {{-1, -1, -1}, {1, 1, 1}};
@@ -152,6 +216,7 @@ double superellipsoid_norm(const Form& form, Vec3d p) {
 
 double form_value(const Form& form, Vec3d p) {
     if (form.kind == FormKind::superellipsoid) return superellipsoid_norm(form, p) - 1;
+    if (form.kind == FormKind::metaball) return blob_value(form, p);
     if (form.kind == FormKind::taper || form.kind == FormKind::tilted_ring) return fourth_degree(form, p, {}).c[0];
     return second_degree(form, p, {}).c[0];
 }
@@ -172,7 +237,12 @@ void append_form(const Form& form, std::uint32_t index, Vec3d o, Vec3d d, EventL
     }
     if (span.empty()) return;
     const std::size_t first = out.size();
-    if (form.kind == FormKind::superellipsoid)
+    bool inside = false;
+    if (form.kind == FormKind::metaball)
+        append_changes(BlobLine(form, p, w), span.t0, span.t1, inside, index, out);
+    else if (form.kind == FormKind::superellipsoid && std::max(form.numbers[0], form.numbers[1]) > 2)
+        append_hollow(form, p, w, span, out, index);
+    else if (form.kind == FormKind::superellipsoid)
         append_superellipsoid(form, p, w, span, out, index);
     else if (form.kind == FormKind::taper || form.kind == FormKind::tilted_ring)
         append_signs(fourth_degree(form, p, w), span, index, out);
@@ -206,12 +276,17 @@ Vec3d form_normal(const Form& form, std::uint32_t face, Vec3d p) {
             const double radial = rho > 0 ? (2 * n[1] * x + n[2] * p.z) / rho : 0;
             return {p.x * radial, p.y * radial, n[2] * x + 2 * n[3] * p.z};
         }
+        case FormKind::metaball:
+            return blob_normal(form, p);
         case FormKind::superellipsoid:
             break;
     }
     const double e = n[1], xy = std::pow(std::abs(p.x), 2 / e) + std::pow(std::abs(p.y), 2 / e);
     const double scale = xy > 0 ? std::pow(xy, e / n[0] - 1) : 0;
-    const auto part = [](double x, double power) { return std::copysign(std::pow(std::abs(x), power), x); };
+    // At its ridges, where a power is negative, the normal has no end.
+    const auto part = [](double x, double power) {
+        return std::copysign(std::pow(std::max(std::abs(x), power < 0 ? 1e-30 : 0.0), power), x);
+    };
     return {scale * part(p.x, 2 / e - 1), scale * part(p.y, 2 / e - 1), part(p.z, 2 / n[0] - 1)};
 }
 

@@ -17,7 +17,8 @@ Vec3d form_normal(const Form& form, std::uint32_t face, Vec3d p);
 /// Below 0 inside, in the form's box; the flat faces of the box are not in it.
 double form_value(const Form& form, Vec3d p);
 
-/// A superellipsoid's own measure of a vector: 1 on its surface; a norm, so convex along every line.
+/// A superellipsoid's own measure of a vector: 1 on its surface; where n and e are at most 2 a norm, so
+/// convex along every line.
 double superellipsoid_norm(const Form& form, Vec3d p);
 
 }  // namespace cardioid::csg

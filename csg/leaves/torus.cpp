@@ -27,6 +27,13 @@ int torus_roots(double R, double r, Vec3d o, Vec3d d, std::array<double, 4>& roo
         return 0;
     }
     if (!(lo < hi)) return 0;
+    // Through the hole: the distance from the axis is convex along the line, so largest at the ends.
+    const auto axis_square = [&](double s) {
+        const double x = p.x + s * w.x, y = p.y + s * w.y;
+        return x * x + y * y;
+    };
+    const double hole = R - r - margin;
+    if (hole > 0 && std::max(axis_square(lo), axis_square(hi)) < hole * hole) return 0;
     // (|x|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2) along x = p + s w; p.w = 0.
     const double k = dot(p, p) + R * R - r * r, four = 4 * R * R;
     const Polynomial<4> f{{k * k - four * (p.x * p.x + p.y * p.y), -2 * four * (p.x * w.x + p.y * w.y),

@@ -1,6 +1,7 @@
 #include "formats/brlcad/brlcad_format.hpp"
 
 #include <array>
+#include <filesystem>
 
 #include "formats/brlcad/read/readers.hpp"
 #include "formats/brlcad/scene/assemble.hpp"
@@ -28,7 +29,9 @@ brlcad::Database read_database(const std::string& text, const std::string& file)
 }
 
 Scene read(const std::string& text, const std::string& file, const ReadOptions& options) {
-    return brlcad::assemble(read_database(text, file), file, options);
+    brlcad::Database database = read_database(text, file);
+    database.folder = options.base_dir.empty() ? std::filesystem::path(file).parent_path().string() : options.base_dir;
+    return brlcad::assemble(std::move(database), file, options);
 }
 
 constexpr std::array extensions = {".g", ".asc"};

@@ -53,32 +53,49 @@ enum class SolidKind : std::uint8_t {
     sketch,
     extrude,
     revolve,
+    ars,
+    dsp,
+    ebm,
+    vol,
+    hf,
+    metaball,
+    cline,
+    data,     ///< numbers that other solids use: no solid
+    nothing,  ///< what rt draws nothing of either: grip, joint, pnts, constraints ...
     unsupported
 };
 
 /// A piece of a sketch's outline, between its corners.
 struct SketchCurve {
-    enum class Kind : std::uint8_t { line, arc, bezier } kind = Kind::line;
-    std::vector<std::uint32_t> corners{};  ///< both ends, or all that a Bezier curve has
+    enum class Kind : std::uint8_t { line, arc, bezier, nurb } kind = Kind::line;
+    std::vector<std::uint32_t> corners{};  ///< both ends, or all that a Bezier curve or a NURB has
     double radius = 0;                     ///< of an arc [mm]; negative: a circle about the second through the first
     bool centre_left = false;              ///< of an arc: seen from the first corner to the second
     bool clockwise = false;                ///< of an arc
+    std::vector<double> knots{};           ///< of a NURB: as many as corners and order
+    std::vector<double> weights{};         ///< of a NURB: one a corner, or none where all are 1
 };
 
 /// A primitive. `numbers` as in the binary format, lengths in mm; see solid_kinds.hpp for their order. A pipe has
 /// x y z, inner and outer diameter, bend radius a point; an arbn n and d a plane; a bot the corners; a sketch origin,
 /// both axes and its corners; an extrude origin, height and the axes of its sketch; a revolve origin, axis, start and
-/// angle.
+/// angle; an ars its points, curve by curve; a metaball its threshold, then x y z, strength and sharpness a point.
 struct Solid {
     SolidKind kind = SolidKind::unsupported;
     std::vector<double> numbers;
-    std::vector<std::uint32_t> corners;  ///< of a bot's triangles
-    int mode = 2;                        ///< of a bot: 1 surface, 2 solid, 3 and 4 plates
-    int orientation = 1;                 ///< of a bot: 1 none, 2 counter-clockwise, 3 clockwise
-    std::vector<double> thickness;       ///< of a bot's triangles where it is a plate [mm]
-    std::string type;                    ///< BRL-CAD's name of the type, for messages
-    std::string sketch{};                ///< name of the sketch that is extruded or turned
-    std::vector<SketchCurve> curves{};   ///< of a sketch
+    std::vector<std::uint32_t> corners;           ///< of a bot's triangles
+    int mode = 2;                                 ///< of a bot: 1 surface, 2 solid, 3 and 4 plates
+    int orientation = 1;                          ///< of a bot: 1 none, 2 counter-clockwise, 3 clockwise
+    std::vector<double> thickness;                ///< of a bot's triangles where it is a plate [mm]
+    std::vector<bool> appended{};                 ///< of a bot's plates: the triangle is a face, else the middle
+    std::string type;                             ///< BRL-CAD's name of the type, for messages
+    std::string sketch{};                         ///< name of the sketch that is extruded or turned
+    std::vector<SketchCurve> curves{};            ///< of a sketch
+    std::size_t points_a_curve = 0;               ///< of an ars
+    int method = 0;                               ///< of a metaball: 0 to 2, see FormKind::metaball
+    std::map<std::string, std::string> fields{};  ///< of dsp, ebm, vol and hf: what BRL-CAD's text form calls them
+    std::string bytes{};                          ///< of data, big-endian
+    int element = 0;                              ///< of data: BRL-CAD's number of their type
 };
 
 struct Object {
@@ -102,6 +119,7 @@ struct Database {
     std::unordered_map<std::string, std::size_t> index;  ///< of objects by name
     std::vector<ColourRange> colours;
     std::vector<std::string> warnings;
+    std::string folder;  ///< where files that solids name are
 
     /// Adds an object; one of the same name is replaced.
     void add(Object object);

@@ -31,4 +31,10 @@ const SolidRow* find_row_by_v4(int type);
 /// BRL-CAD's name of a type of the binary form, "type 99" where there is none.
 std::string minor_name(int minor);
 
+/// Of a type that has no numbers to be read: SolidKind::nothing, else SolidKind::unsupported.
+SolidKind kind_without_body(std::string_view name);
+
+/// The pairs of a text `file="x" w=2 mat=1,0,0`, the way dsp, ebm, vol and hf are written.
+std::map<std::string, std::string> fields_of(std::string_view text);
+
 }  // namespace cardioid::formats::brlcad

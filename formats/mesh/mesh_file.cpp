@@ -20,8 +20,8 @@ Reader by_extension(const std::string& path) {
     std::ranges::transform(extension, extension.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     static constexpr std::pair<std::string_view, Reader> readers[] = {
-        {".stl", read_stl}, {".obj", read_obj}, {".ply", read_ply},   {".off", read_off},
-        {".amf", read_amf}, {".3mf", read_3mf}, {".gltf", read_gltf}, {".glb", read_gltf}};
+        {".stl", read_stl}, {".obj", read_obj},   {".ply", read_ply},  {".off", read_off},  {".amf", read_amf},
+        {".3mf", read_3mf}, {".gltf", read_gltf}, {".glb", read_gltf}, {".nef3", read_nef3}};
     for (const auto& [name, reader] : readers)
         if (extension == name) return reader;
     return nullptr;
@@ -31,6 +31,7 @@ Reader by_content(std::string_view bytes) {
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply;
     if (bytes.starts_with("solid") || is_binary_stl(bytes)) return read_stl;
     if (bytes.starts_with("OFF") || bytes.starts_with("COFF")) return read_off;
+    if (bytes.starts_with("Selective Nef Complex")) return read_nef3;
     if (bytes.starts_with("PK\x03\x04")) return read_3mf;
     if (bytes.starts_with("glTF")) return read_gltf;
     if (bytes.starts_with("v ") || bytes.find("\nv ") != std::string_view::npos) return read_obj;
@@ -68,7 +69,7 @@ TriangleMesh read_mesh(const std::string& path) {
     const Reader read = named ? named : by_content(bytes);
     if (!read)
         throw Error(ErrorCode::bad_input,
-                    path + ":1: found no known mesh format, wanted STL, OBJ, PLY, OFF, AMF, 3MF or glTF");
+                    path + ":1: found no known mesh format, wanted STL, OBJ, PLY, OFF, AMF, 3MF, NEF3 or glTF");
     MeshBuilder mesh;
     read({bytes, path}, mesh);
     if (!mesh.has_faces()) throw Error(ErrorCode::bad_input, path + ":1: found no faces, wanted at least one");

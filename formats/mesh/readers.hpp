@@ -17,6 +17,8 @@ void read_stl(const MeshText& text, MeshBuilder& mesh);
 void read_obj(const MeshText& text, MeshBuilder& mesh);
 void read_ply(const MeshText& text, MeshBuilder& mesh);
 void read_off(const MeshText& text, MeshBuilder& mesh);
+/// CGAL's text of a Nef polyhedron; its facets are planes, holes in them are filled around.
+void read_nef3(const MeshText& text, MeshBuilder& mesh);
 /// As XML or within a ZIP archive; all objects where they stand, numbers as written: the unit and constellations are
 /// ignored, as by OpenSCAD 2021.01.
 void read_amf(const MeshText& text, MeshBuilder& mesh);

@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <future>
+#include <system_error>
 
 #include "rt_core/api/error.hpp"
 #include "rt_core/image/openimageio_libraries.hpp"
@@ -24,12 +26,26 @@ const ImageCodecs* load() {
     return codecs();
 }
 
+/// At once on a thread where there may be one more, else when it is asked for.
+std::shared_future<const ImageCodecs*> begin() {
+    try {
+        return std::async(std::launch::async, load).share();
+    } catch (const std::system_error&) {
+        return std::async(std::launch::deferred, load).share();
+    }
+}
+
+/// A copy of its own for each caller: only so may threads wait for it together.
+std::shared_future<const ImageCodecs*> loading() {
+    static const std::shared_future<const ImageCodecs*> result = begin();
+    return result;
+}
+
 }  // namespace
 
-const ImageCodecs& image_codecs() {
-    static const ImageCodecs* const codecs = load();
-    return *codecs;
-}
+void begin_loading_image_codecs() { static_cast<void>(loading()); }
+
+const ImageCodecs& image_codecs() { return *loading().get(); }
 
 RawImage read_raw_image(const std::string& path, std::int64_t most_pixels) {
     RawImage image;

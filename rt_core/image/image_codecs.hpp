@@ -13,7 +13,11 @@ struct ImageCodecs {
     std::string (*encode)(const std::string& path, const RawImage& image, std::vector<unsigned char>& bytes);
 };
 
-/// The module's, loaded by the first call. Throws Error(io) where it is not installed. Any thread may call.
+/// Loads the module on a thread of its own, unless it is loaded or being loaded: reading a scene hides the time. What
+/// goes wrong is told by image_codecs(). The process ends no sooner than the loading. Any thread may call.
+void begin_loading_image_codecs();
+
+/// The module's, which this waits for. Throws Error(io) where it is not installed. Any thread may call.
 const ImageCodecs& image_codecs();
 
 /// Name of the function by which the module gives its ImageCodecs.

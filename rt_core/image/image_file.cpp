@@ -192,8 +192,10 @@ void split_layers(const RawImage& image, Film& film) {
 void check_image_path(const std::string& path) {
     static_cast<void>(known_extension(path));
     check_writable(path);
-    static_cast<void>(image_codecs());
+    begin_loading_image_codecs();
 }
+
+void check_image_formats() { static_cast<void>(image_codecs()); }
 
 void write_image(const std::string& path, const Film& film, const ImageWriteSettings& settings) {
     const Extension& extension = known_extension(path);

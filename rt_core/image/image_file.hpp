@@ -13,8 +13,12 @@ struct ImageWriteSettings {
 };
 
 /// Throws Error(usage) now rather than after the render where the extension of `path` is none OpenImageIO writes
-/// (with the nearest right one), and Error(io) where its folder is missing or cannot be written.
+/// (with the nearest right one), and Error(io) where its folder is missing or cannot be written. The picture formats
+/// are being loaded from here on, beside whatever is done meanwhile.
 void check_image_path(const std::string& path);
+
+/// Waits until the picture formats are loaded. Throws Error(io) where they are not installed.
+void check_image_formats();
 
 /// Writes by extension: PNG, JPEG and other 8-bit formats sRGB-encoded, EXR and the like linear with every layer
 /// as channels ("direct.R"); extra layers of an 8-bit picture go to files beside it ("out.direct.png").

@@ -38,17 +38,28 @@ enum class LeafKind : std::uint8_t {
 
 /// Shapes by a formula; w, n ... are Form::numbers in this order.
 enum class FormKind : std::uint8_t {
-    bowl,           ///< 0 <= z <= 1, x^2 + y^2 <= w u^2 + (1 - w) u, u = 1 - z, 0 <= w < 1: paraboloid, hyperboloid
-    trough,         ///< the same with 0 <= y <= 1 and x^2 alone on the left
-    waist,          ///< -1 <= z <= 1, x^2 + y^2 <= n + (1 - n) z^2, 0 < n < 1: hyperboloid of one sheet
-    taper,          ///< 0 <= z <= 1, (x / (1 + (c - 1) z))^2 + (y / (1 + (d - 1) z))^2 <= 1, c and d >= 0
-    tilted_ring,    ///< A r^2 + B r z + C z^2 <= 1 with r = sqrt(x^2 + y^2) - R: numbers R, A, B, C; r > -R inside
-    superellipsoid  ///< (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1, n and e in (0, 2]
+    bowl,            ///< 0 <= z <= 1, x^2 + y^2 <= w u^2 + (1 - w) u, u = 1 - z, 0 <= w < 1: paraboloid, hyperboloid
+    trough,          ///< the same with 0 <= y <= 1 and x^2 alone on the left
+    waist,           ///< -1 <= z <= 1, x^2 + y^2 <= n + (1 - n) z^2, 0 < n < 1: hyperboloid of one sheet
+    taper,           ///< 0 <= z <= 1, (x / (1 + (c - 1) z))^2 + (y / (1 + (d - 1) z))^2 <= 1, c and d >= 0
+    tilted_ring,     ///< A r^2 + B r z + C z^2 <= 1 with r = sqrt(x^2 + y^2) - R: numbers R, A, B, C; r > -R inside
+    superellipsoid,  ///< (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) <= 1, n and e > 0
+    metaball  ///< within -1 and 1, the sum over Form::blobs of fields f(r) >= threshold: numbers method, threshold
+};
+
+/// A point of a metaball. Its field at distance r by the method, with s for strength, negative if s is:
+/// 0: 1 - 3 (r/s)^2 up to s/3, 1.5 (1 - r/s)^2 up to s, then 0 (Nishimura et al. 1985); 1: (s/r)^2;
+/// 2: exp(k (1 - (r/s)^2)) (Blinn 1982).
+struct Blob {
+    Vec3d centre;
+    double strength = 1;   ///< s, not 0
+    double sharpness = 1;  ///< k > 0, of method 2
 };
 
 struct Form {
     FormKind kind = FormKind::bowl;
     std::array<double, 4> numbers{};
+    std::shared_ptr<const std::vector<Blob>> blobs{};  ///< of a metaball
 };
 
 struct Leaf {

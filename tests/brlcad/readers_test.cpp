@@ -39,6 +39,17 @@ TEST(Databases, AreTheSameSceneFromEachOfTheThreeForms) {
     EXPECT_TRUE(binary.warnings.empty());
 }
 
+TEST(Databases, SolidsInNoCombinationAreDrawnOnlyWhereTheyAreNamed) {
+    const std::string left = "put {left.s} ell V {0 0 0} A {9 0 0} B {0 9 0} C {0 0 9}\n";
+    const Scene scene = scene_of(test::small_text_v5() + left);
+    EXPECT_EQ(scene.names, (std::vector<std::string>{"/all.g/ball.r", "/all.g/box.r"}));
+    EXPECT_EQ(scene.tops, (std::vector<std::string>{"all.g", "left.s"}));
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_NE(scene.warnings[0].find("left.s"), std::string::npos);
+    EXPECT_EQ(brlcad_format.read(test::small_text_v5() + left, "model", {.objects = {"left.s"}}).names.size(), 1U);
+    EXPECT_EQ(scene_of("title {only a solid}\nunits mm\n" + left).names.size(), 1U);
+}
+
 TEST(Databases, ColoursComeFromCombinationsElseByNumber) {
     const Scene scene = scene_of(test::small_binary());
     const auto colour = [&](std::size_t root) {

@@ -5,6 +5,7 @@
 #include "rt_core/plugin/registry.hpp"
 #include "rt_core/scene/scene.hpp"
 #include "tests/brlcad/database_writer.hpp"
+#include "tests/brlcad/primitive_models.hpp"
 #include "tests/fuzz/mutate.hpp"
 
 namespace cardioid::formats {
@@ -17,6 +18,17 @@ TEST(DamagedFiles, OfDatabasesAreReadOrRefused) {
     survive(test::small_binary(), 1, read);
     survive(test::small_text_v4(), 2, read);
     survive(test::small_text_v5(), 3, read);
+}
+
+TEST(DamagedFiles, OfSolidsWithCountsAreReadOrRefused) {
+    const auto read = [](const std::string& text) {
+        return brlcad_format.read(text, "model", {}).solids.leaves.size();
+    };
+    unsigned seed = 5;
+    for (const std::string& sample : {test::counted_solids(), test::counted_solids_v4(), test::counted_solids_v5()}) {
+        EXPECT_GE(read(sample), 5U);
+        survive(sample, seed++, [&](const std::string& text) { static_cast<void>(read(text)); });
+    }
 }
 
 TEST(DamagedFiles, OfScenesAreReadOrRefused) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <thread>
 
 #include "scratch_folder.hpp"
 
@@ -188,6 +189,13 @@ TEST(ImageFile, SaysWhereItCannotBeWrittenBeforeAnyWork) {
     EXPECT_NE(message.find("none/a.png"), std::string::npos);
     std::filesystem::create_directory(folder.file("b.png"));
     error_of([&] { check_image_path(folder.file("b.png")); }, ErrorCode::io);
+}
+
+TEST(ImageFile, LoadsItsFormatsOnceForAllWhoWait) {
+    std::vector<std::thread> waiting;
+    for (int i = 0; i < 8; ++i) waiting.emplace_back(check_image_formats);
+    for (std::thread& thread : waiting) thread.join();
+    EXPECT_NO_THROW(check_image_formats());
 }
 
 TEST(ImageFile, TellsOfAFullDisk) {

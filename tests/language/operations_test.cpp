@@ -78,6 +78,30 @@ TEST(Hull, OfAHalfSpaceIsRefusedWithItsPlace) {
     EXPECT_TRUE(contains(error_of("cube(1);\nhull() half_space([0, 0, 1], 0);"), "t.csg:2:1: "));
 }
 
+TEST(Hull, OfWhatManyBoxesHaveInCommonTakesNoTime) {
+    // Squares of side 2, turned in equal steps: a regular polygon of 4 n corners about a circle of radius 1.
+    constexpr int n = 57;
+    std::string boxes;
+    for (int k = 0; k < n; ++k)
+        boxes += "rotate([0, 0, " + std::to_string(90.0 * k / n) + "]) cube(2, center = true); ";
+    EXPECT_NEAR(volume_of("hull() intersection() { " + boxes + "}"), 2 * 4 * n * std::tan(pi / (4 * n)), 1e-5);
+}
+
+TEST(Hull, OfWhatConvexSolidsHaveInCommonIsThat) {
+    const auto common = [](const std::string& solids) { return volume_of("hull() intersection() { " + solids + "}"); };
+    EXPECT_NEAR(common("cube(2); cube(2); translate([1, 1, 1]) cube(9);"), 1, 1e-15);
+    EXPECT_NEAR(common("cube(2); translate([0, 0, -1]) cube([1, 2, 9]); translate([0.5, 0, -5]) cube(9);"), 2, 1e-15);
+    EXPECT_EQ(tree_of(read("cube(7); hull() intersection() { cube(1); translate([1, 0, 0]) cube(1); cube(4); }")),
+              "box");
+    EXPECT_EQ(tree_of(read("cube(7); hull() intersection() { cube(1); translate([2, 0, 0]) cube(1); cube(4); }")),
+              "box");
+    // The octahedron |x| + |y| + |z| <= 3/2 within a cube of side 2: each of its six tips, of height 1/2, is cut off.
+    const std::string tips =
+        "polyhedron([[1.5,0,0],[-1.5,0,0],[0,1.5,0],[0,-1.5,0],[0,0,1.5],[0,0,-1.5]], [[4,2,0],"
+        "[4,1,2],[4,3,1],[4,0,3],[5,0,2],[5,2,1],[5,1,3],[5,3,0]]);";
+    EXPECT_NEAR(common("cube(2, center = true); " + tips + " cube([2, 2, 5], center = true);"), 4.5 - 6.0 / 12, 1e-12);
+}
+
 TEST(Minkowski, OfTwoCubesIsACube) {
     EXPECT_NEAR(volume_of("minkowski() { cube(2); cube([1, 2, 3]); }"), 3 * 4 * 5, 1e-9);
 }
@@ -238,6 +262,51 @@ TEST(Operations, KeepTheMaterialOfTheirFirstChild) {
 
 TEST(Operations, InASubtrahendCut) {
     EXPECT_NEAR(volume_of("difference() { cube(4); hull() { cube(1); translate([1, 0, 0]) cube(1); } }"), 62, 1e-9);
+}
+
+/// The volume below the distance from the edge of an L of three squares of 2, by its value at 10^6 points.
+double volume_below_the_distance() {
+    constexpr int n = 1000;
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double x = 4 * (i + 0.5) / n, y = 4 * (j + 0.5) / n;
+            if (x > 2 && y > 2) continue;
+            double least = std::min({x, y, 4 - x, 4 - y});
+            if (x < 2) least = std::min(least, std::hypot(2 - x, std::min(y - 2, 0.0)));
+            if (y < 2) least = std::min(least, std::hypot(std::min(x - 2, 0.0), 2 - y));
+            sum += least;
+        }
+    return sum * 16 / (n * n);
+}
+
+TEST(Roof, StandsAsHighAsTheEdgeIsFar) {
+    EXPECT_NEAR(volume_of("roof() square(2, center = true);"), 4.0 / 3, 1e-12);
+    EXPECT_NEAR(volume_of("roof(method = \"straight\") square([2, 4]);"), 10.0 / 3, 1e-12);
+    EXPECT_NEAR(volume_of("roof() circle(3, $fn = 6);"), 3 * std::sqrt(3.0) / 2 * 9 * 3 * std::sqrt(0.75) / 3, 1e-9);
+    EXPECT_NEAR(volume_of("scale([1, 1, 3]) roof() translate([9, 0]) square(2);"), 4, 1e-12);
+}
+
+TEST(Roof, IsAConeAroundACornerThatTurnsInwards) {
+    const std::string l = "{ square([4, 2]); square([2, 4]); }";
+    EXPECT_NEAR(volume_of("roof(method = \"straight\") " + l), 16.0 / 3, 1e-9);
+    const double wanted = volume_below_the_distance(), found = volume_of("roof() " + l);
+    EXPECT_NEAR(found, wanted, 2e-4 * wanted);
+    EXPECT_GT(found, 16.0 / 3 + 0.05);
+}
+
+TEST(Roof, GoesAroundHolesAndStandsOnIslands) {
+    // A frame one wide: a ridge of height 1/2 around it. Its cross-section, 1/4, turns about the corners' inner sides.
+    const std::string frame = "difference() { square(4, center = true); square(2, center = true); }";
+    EXPECT_NEAR(volume_of("roof(method = \"straight\") " + frame), 3, 1e-9);
+    const std::string island = "union() { " + frame + " square(1, center = true); }";
+    EXPECT_NEAR(volume_of("roof(method = \"straight\") " + island), 3 + 1.0 / 6, 1e-9);
+}
+
+TEST(Roof, RefusesAMethodThatItDoesNotKnow) {
+    EXPECT_TRUE(contains(error_of("\nroof(method = \"thatch\") square(1);"),
+                         "t.csg:2:1: found \"thatch\", wanted roof(method = \"voronoi\") or \"straight\""));
+    EXPECT_EQ(tree_of(read("cube(1); roof();")), "box");
 }
 
 }  // namespace

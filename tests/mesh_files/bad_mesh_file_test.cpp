@@ -47,7 +47,8 @@ TEST(BadMeshFile, IsRefusedWhereThereIsNone) {
 TEST(BadMeshFile, IsRefusedWhenEmpty) {
     for (const char* name : {"a.stl", "a.obj", "a.ply", "a"})
         EXPECT_EQ(refusal(name, ""), "1: found an empty file, wanted a mesh");
-    EXPECT_EQ(refusal("a", "hello"), "1: found no known mesh format, wanted STL, OBJ, PLY, OFF, AMF, 3MF or glTF");
+    EXPECT_EQ(refusal("a", "hello"),
+              "1: found no known mesh format, wanted STL, OBJ, PLY, OFF, AMF, 3MF, NEF3 or glTF");
     EXPECT_EQ(refusal("a.stl", "solid\nendsolid\n"), "1: found no faces, wanted at least one");
     EXPECT_EQ(refusal("a.obj", triangle), "1: found no faces, wanted at least one");
 }

@@ -23,8 +23,8 @@ std::uint64_t hash_of(const std::string& text) {
     return hash;
 }
 
-constexpr std::array later{"roof", "animate"};
-constexpr std::array imported{".stl", ".obj", ".ply", ".off", ".amf", ".3mf", ".gltf", ".glb", ".dxf", ".svg"};
+constexpr std::array later{"animate"};
+constexpr std::array imported{".stl", ".obj", ".ply", ".off", ".amf", ".3mf", ".gltf", ".glb", ".nef3", ".dxf", ".svg"};
 
 /// Reads on over `text` from `at`: what stands between the quotes of the next string.
 std::string next_string(const std::string& text, std::size_t at) {

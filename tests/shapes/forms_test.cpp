@@ -46,7 +46,12 @@ std::vector<Known> known_forms() {
             {"edge", {FormKind::taper, {0, 1}}, pi_d / 2},
             {"tilted ring", {FormKind::tilted_ring, {1, A, B, C}}, 2 * pi_d * pi_d / std::sqrt(A * C - B * B / 4)},
             {"pillow", {FormKind::superellipsoid, {0.5, 0.7}}, superellipsoid_volume(0.5, 0.7)},
-            {"octahedron", {FormKind::superellipsoid, {2, 2}}, 4.0 / 3}};
+            {"octahedron", {FormKind::superellipsoid, {2, 2}}, 4.0 / 3},
+            {"star", {FormKind::superellipsoid, {2.2, 2.1}}, superellipsoid_volume(2.2, 2.1)},
+            {"spindle", {FormKind::superellipsoid, {2.2, 1}}, superellipsoid_volume(2.2, 1)},
+            {"ball of a field",
+             {FormKind::metaball, {1, 1.5625}, std::make_shared<const std::vector<Blob>>(1, Blob{{0.1, 0, 0}, 1, 1})},
+             4.0 / 3 * pi_d * 0.512}};
 }
 
 SolidTree tree_of(const Form& form, const Affine& place) {
@@ -159,6 +164,61 @@ TEST(ConvexPlanes, OfACubesMeshMeetEveryRayAsTheCubeDoes) {
         append_events(solve(mesh.leaves[0], shape.get()), 0, o, d, b);
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k].t, b[k].t, 1e-12);
+    }
+}
+
+/// Three points that melt together, one that bites, one apart, by each method.
+std::vector<Form> metaballs() {
+    const auto blobs = std::make_shared<const std::vector<Blob>>(std::vector<Blob>{{{-0.3, 0, 0}, 0.2, 1.5},
+                                                                                   {{0.1, 0.1, 0}, 0.25, 2},
+                                                                                   {{0.2, -0.2, 0.1}, 0.2, 1},
+                                                                                   {{0, 0.3, 0}, -0.12, 2},
+                                                                                   {{0.1, 0.2, 0.6}, 0.1, 4}});
+    return {{FormKind::metaball, {0, 0.3}, blobs},
+            {FormKind::metaball, {1, 1.2}, blobs},
+            {FormKind::metaball, {2, 0.9}, blobs}};
+}
+
+TEST(Metaballs, AreMetWhereTheirFieldsSayAlsoByGrazingRays) {
+    Random random(7);
+    int grazing = 0;
+    for (const Form& form : metaballs())
+        for (int i = 0; i < 2000; ++i) {
+            Vec3d d = random.direction(), p = random.point(-0.6, 0.6);
+            EventList events;
+            append_form(form, 0, p - d * 3.0, d, events);
+            if (!events.empty() && i % 2) {
+                const Vec3d q = p - d * 3.0 + d * events[0].t, n = normalize(form_normal(form, 6, q));
+                d = normalize(cross(n, random.direction()));
+                p = q + n * (1e-10 * random(-1, 1));
+                events.clear();
+                append_form(form, 0, p - d * 3.0, d, events);
+                ++grazing;
+            }
+            ASSERT_EQ(events.size() % 2, 0U);
+            // Samples of the line agree, but at the surface.
+            for (int k = 1; k < 60; ++k) {
+                const double t = 0.1 * k;
+                const double value = form_value(form, p + d * (t - 3));
+                if (std::abs(value) < 1e-9) continue;
+                const auto before =
+                    std::count_if(events.begin(), events.end(), [&](const Event& e) { return e.t < t; });
+                ASSERT_EQ(before % 2 == 1, value < 0) << form.numbers[0] << ' ' << t;
+            }
+            for (const Event& event : events)
+                ASSERT_NEAR(form_value(form, p + d * (event.t - 3)), 0, 1e-9) << form.numbers[0];
+        }
+    EXPECT_GT(grazing, 100);
+}
+
+TEST(Metaballs, MeshesOfThemAreClosedAndOfTheirVolume) {
+    for (const Form& form : metaballs()) {
+        const SolidTree tree = tree_of(form, turned());
+        const TriangleMesh mesh = tessellate(tree, tree.leaves[0], 2e-3);
+        EXPECT_TRUE(mesh.closed);
+        const auto region = compile_whole(tree, false);
+        const VolumeEstimate found = measure_volume(*region, region->bounds(), 96, 1);
+        EXPECT_NEAR(volume(mesh), found.volume, 0.02 * found.volume + 4 * found.sigma);
     }
 }
 

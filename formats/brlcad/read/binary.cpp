@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned char first_byte = 0x76, last_byte = 0x35;
 constexpr unsigned present = 0x20;
-constexpr int brlcad_major = 1, attribute_major = 2, combination_minor = 31;
+constexpr int brlcad_major = 1, attribute_major = 2, data_major = 9, combination_minor = 31;
 /// Of all that is unpacked from one file.
 constexpr std::size_t most_unpacked = std::size_t{1} << 28;
 
@@ -77,8 +77,10 @@ private:
             });
             return;
         }
-        if (header.major != brlcad_major || object.name.empty()) return;
-        if (header.minor == combination_minor) {
+        if ((header.major != brlcad_major && header.major != data_major) || object.name.empty()) return;
+        if (header.major == data_major) {
+            object.solid = {.kind = SolidKind::data, .type = "binunif", .bytes = body, .element = header.minor};
+        } else if (header.minor == combination_minor) {
             object.combination = read_combination(body, file_, at);
             each_attribute(attributes, at, [&](const std::string& key, const std::string& value) {
                 set_attribute(*object.combination, key, value);

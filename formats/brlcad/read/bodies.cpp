@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "formats/brlcad/read/byte_reader.hpp"
 #include "formats/brlcad/read/readers.hpp"
@@ -10,8 +12,10 @@ namespace {
 
 constexpr int arbn_minor = 14, pipe_minor = 15, sphere_minor = 10, bot_minor = 30;
 constexpr int sketch_minor = 26, extrude_minor = 27, revolve_minor = 40;
+constexpr int ars_minor = 5, conic_minor = 7, poly_minor = 8, dsp_minor = 25, metaball_minor = 36;
 /// What a curve of a sketch begins with: its kind in four letters.
-constexpr std::uint64_t line_magic = 0x6C736567, arc_magic = 0x63617263, bezier_magic = 0x62657A69;
+constexpr std::uint64_t line_magic = 0x6C736567, arc_magic = 0x63617263, bezier_magic = 0x62657A69,
+                        nurb_magic = 0x6E757262;
 
 void reals(ByteReader& in, std::uint64_t n, const char* what, std::vector<double>& out) {
     if (n > in.left() / 8) in.fail(fmt::format("found {} bytes, wanted {} numbers of {}", in.left(), n, what));
@@ -49,7 +53,58 @@ Solid bot(ByteReader in) {
         if (corner >= vertices) in.fail(fmt::format("found corner {}, wanted one below {}", corner, vertices));
         out.corners.push_back(static_cast<std::uint32_t>(corner));
     }
-    if (out.mode == 3 || out.mode == 4) reals(in, faces, "a bot's thickness", out.thickness);
+    if (out.mode == 3 || out.mode == 4) {
+        reals(in, faces, "a bot's thickness", out.thickness);
+        out.appended = appended_plates(in.text("a bot's plates"), static_cast<std::size_t>(faces));
+    }
+    return out;
+}
+
+Solid ars(ByteReader in) {
+    Solid out{.kind = SolidKind::ars, .type = "ars"};
+    const std::uint64_t curves = in.whole(2, "an ars' curves"), points = in.whole(2, "an ars' points");
+    if (points && curves > in.left() / 24 / points)
+        in.fail(fmt::format("found {} bytes, wanted {} curves of {} points", in.left(), curves, points));
+    out.points_a_curve = static_cast<std::size_t>(points);
+    reals(in, curves * points * 3, "an ars", out.numbers);
+    return out;
+}
+
+/// Polygons become the fans of a bot; their normals are of no use.
+Solid poly(ByteReader in) {
+    Solid out{.kind = SolidKind::bot, .orientation = 1, .type = "poly"};
+    const std::uint64_t polygons = in.whole(2, "a poly's polygons");
+    for (std::uint64_t i = 0; i < polygons; ++i) {
+        const std::uint64_t points = in.whole(2, "a polygon's corners");
+        if (points > in.left() / 48) in.fail(fmt::format("found {} bytes, wanted {} corners", in.left(), points));
+        const auto first = static_cast<std::uint32_t>(out.numbers.size() / 3);
+        reals(in, points * 3, "a polygon", out.numbers);
+        static_cast<void>(in.take(points * 24, "normals"));
+        for (std::uint32_t k = 2; k < points; ++k)
+            out.corners.insert(out.corners.end(), {first, first + k - 1, first + k});
+    }
+    return out;
+}
+
+Solid dsp(ByteReader in) {
+    Solid out{.kind = SolidKind::dsp, .type = "dsp"};
+    for (const char* key : {"w", "n"}) out.fields[key] = fmt::format("{}", in.whole(2, "a dsp's size"));
+    std::vector<double> matrix;
+    reals(in, 16, "a dsp", matrix);
+    out.fields["stom"] = fmt::format("{}", fmt::join(matrix, " "));
+    out.fields["sm"] = fmt::format("{}", in.whole(1, "a dsp"));
+    for (const char* key : {"src", "cut"}) out.fields[key] = std::string(in.take(1, "a dsp"));
+    std::string_view name = in.take(in.left(), "a dsp's data");
+    out.fields["name"] = std::string(name.substr(0, name.find('\0')));
+    return out;
+}
+
+Solid metaball(ByteReader in) {
+    Solid out{.kind = SolidKind::metaball, .type = "metaball"};
+    const std::uint64_t points = in.whole(2, "a metaball's points");
+    out.method = static_cast<int>(in.whole(2, "a metaball's method") & 0xFF);
+    if (points > in.left() / 40) in.fail(fmt::format("found {} bytes, wanted {} points", in.left(), points));
+    reals(in, 1 + points * 5, "a metaball", out.numbers);
     return out;
 }
 
@@ -72,6 +127,17 @@ std::optional<SketchCurve> curve(ByteReader& in, std::uint64_t corners) {
         out.radius = in.real("an arc");
         return out;
     }
+    if (magic == nurb_magic) {
+        out.kind = SketchCurve::Kind::nurb;
+        static_cast<void>(in.whole(2, "a NURB's order"));
+        const bool rational = (in.whole(2, "a NURB's points") & 1) != 0;
+        reals(in, in.whole(2, "a NURB's knots"), "a NURB's knots", out.knots);
+        const std::uint64_t points = in.whole(2, "a NURB's points");
+        if (points > in.left() / 4) in.fail(fmt::format("found a NURB of {} points in {} bytes", points, in.left()));
+        for (std::uint64_t i = 0; i < points; ++i) out.corners.push_back(corner_of(in, corners));
+        if (rational) reals(in, points, "a NURB's weights", out.weights);
+        return out;
+    }
     if (magic != bezier_magic) return std::nullopt;
     out.kind = SketchCurve::Kind::bezier;
     const std::uint64_t degree = in.whole(2, "a curve's degree");
@@ -88,7 +154,7 @@ Solid sketch(ByteReader in) {
     reals(in, corners * 2, "a sketch", out.numbers);
     for (std::uint64_t i = 0; i < curves; ++i) {
         std::optional<SketchCurve> next = curve(in, corners);
-        if (!next) return {.type = "sketch with a curve other than line, arc and bezier"};
+        if (!next) return {.type = "sketch with a curve other than line, arc, bezier and nurb"};
         out.curves.push_back(std::move(*next));
     }
     return out;
@@ -111,6 +177,16 @@ Solid revolve(ByteReader in) {
 
 }  // namespace
 
+std::vector<bool> appended_plates(std::string_view digits, std::size_t plates) {
+    std::vector<bool> out(plates);
+    for (std::size_t i = 0; i < plates && i / 4 < digits.size(); ++i) {
+        const char c = digits[digits.size() - 1 - i / 4];
+        const int value = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : 0;
+        out[i] = (value >> (i % 4) & 1) != 0;
+    }
+    return out;
+}
+
 Solid read_body(int minor, std::string_view body, const std::string& file, std::size_t offset) {
     ByteReader in(body, file, offset);
     if (minor == pipe_minor) return pipe(in);
@@ -119,8 +195,14 @@ Solid read_body(int minor, std::string_view body, const std::string& file, std::
     if (minor == sketch_minor) return sketch(in);
     if (minor == extrude_minor) return extrude(in);
     if (minor == revolve_minor) return revolve(in);
-    const SolidRow* row = find_row_by_minor(minor == sphere_minor ? 3 : minor);
-    if (!row) return {.type = minor_name(minor)};
+    if (minor == ars_minor) return ars(in);
+    if (minor == poly_minor) return poly(in);
+    if (minor == dsp_minor) return dsp(in);
+    if (minor == metaball_minor) return metaball(in);
+    for (const auto& [number, kind] : {std::pair{12, SolidKind::ebm}, {13, SolidKind::vol}, {24, SolidKind::hf}})
+        if (minor == number) return {.kind = kind, .type = minor_name(minor), .fields = fields_of(body)};
+    const SolidRow* row = find_row_by_minor(minor == sphere_minor ? 3 : minor == conic_minor ? 2 : minor);
+    if (!row) return {.kind = kind_without_body(minor_name(minor)), .type = minor_name(minor)};
     Solid out{.kind = row->kind, .type = row->name};
     reals(in, row->count(), row->name, out.numbers);
     return out;

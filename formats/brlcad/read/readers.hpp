@@ -19,6 +19,9 @@ bool looks_binary(std::string_view head);
 bool looks_like_text_v4(std::string_view head);
 bool looks_like_text_v5(std::string_view head);
 
+/// Which of a bot's plates are appended: bit i of the number that the hexadecimal digits are.
+std::vector<bool> appended_plates(std::string_view digits, std::size_t plates);
+
 /// What a solid's body says, in place of its kind's own fields: pipe, arbn, bot, or an unsupported type.
 Solid read_body(int minor, std::string_view body, const std::string& file, std::size_t offset);
 /// A combination's tree, without its attributes.

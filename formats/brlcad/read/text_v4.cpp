@@ -71,12 +71,15 @@ private:
         if (letter == "p") return particle();
         if (letter == "w") return pipe();
         if (letter == "n") return arbn();
-        if (letter == "s") return named(std::string(in_.wanted_word("a type")));
-        if (letter == "A") return named("ars");
-        if (letter == "P") return named("poly");
+        if (letter == "s") return fields();
+        if (letter == "A") return ars();
+        if (letter == "P") return poly();
+        if (letter == "t") return bot();
+        if (letter == "d") return sketch();
+        if (letter == "e") return extrude();
         if (letter == "b") return named("bspline");
         if (letter == "N") return named("nmg");
-        if (letter == "c") return named("cline");
+        if (letter == "c") return cline();
         // Rows of a record that is not read, or a letter of a newer program.
         static const std::string_view rows = "BDQM";
         if (rows.find(letter) == std::string_view::npos && !std::exchange(warned_, true))
@@ -106,6 +109,7 @@ private:
             object.solid = {.kind = row->kind, .numbers = converted(*row, std::move(v)), .type = row->name};
         } else {
             object.solid.type = type == 31 ? "grip" : fmt::format("type {}", type);
+            object.solid.kind = kind_without_body(object.solid.type);
         }
         database_.add(std::move(object));
         more_ = in_.next_record();
@@ -194,6 +198,155 @@ private:
             static_cast<void>(in_.word());
             for (int k = 0; k < 4; ++k) object.solid.numbers.push_back(in_.number("a plane"));
         }
+        database_.add(std::move(object));
+        more_ = in_.next_record();
+    }
+
+    /// s dsp name file="x" w=2 ...: a solid that is told in pairs.
+    void fields() {
+        static constexpr std::pair<std::string_view, SolidKind> kinds[] = {
+            {"dsp", SolidKind::dsp}, {"ebm", SolidKind::ebm}, {"vol", SolidKind::vol}, {"hf", SolidKind::hf}};
+        const std::string type(in_.wanted_word("a type"));
+        Object object{.name = std::string(in_.wanted_word("a solid's name")), .place = in_.place()};
+        object.solid = {.type = type, .fields = fields_of(in_.line())};
+        for (const auto& [name, kind] : kinds)
+            if (type == name) object.solid.kind = kind;
+        finish(std::move(object));
+    }
+
+    /// A type name curves points ..., then B records of up to eight points, all but the first told from the first.
+    void ars() {
+        static_cast<void>(in_.whole("an ars' type"));
+        Object object{.name = std::string(in_.wanted_word("an ars' name")), .place = in_.place()};
+        const long curves = in_.whole("an ars' curves"), points = in_.whole("an ars' points");
+        if (curves < 0 || points < 1) in_.fail(fmt::format("found {} curves of {} points", curves, points));
+        object.solid = {.kind = SolidKind::ars, .type = "ars", .points_a_curve = static_cast<std::size_t>(points)};
+        std::vector<double>& v = object.solid.numbers;
+        for (long curve = 0; curve < curves; ++curve)
+            for (long point = 0; point < points; ++point) {
+                if (point % 8 == 0) begin_row("B", 3);
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double x = in_.number("an ars' point");
+                    v.push_back(v.size() < 3 ? x : x + v[axis]);
+                }
+            }
+        finish(std::move(object));
+    }
+
+    /// The next record, whose letter is known, over `skipped` words of it.
+    void begin_row(const char* letter, int skipped) {
+        if (!in_.next_record() || in_.wanted_word("a record's letter") != letter)
+            in_.fail(fmt::format("found another record or the end of the file, wanted {}", letter));
+        for (int i = 0; i < skipped; ++i) static_cast<void>(in_.wanted_word("a number"));
+    }
+
+    /// P name, then Q records: a count of corners, and five places for them.
+    void poly() {
+        Object object{.name = std::string(in_.wanted_word("a poly's name")), .place = in_.place()};
+        object.solid = {.kind = SolidKind::bot, .orientation = 1, .type = "poly"};
+        Solid& out = object.solid;
+        while ((more_ = in_.next_record()) && in_.line().starts_with("Q ")) {
+            static_cast<void>(in_.word());
+            const long corners = in_.whole("a count of corners");
+            if (corners < 3 || corners > 5) in_.fail(fmt::format("found {} corners, wanted 3 to 5", corners));
+            const auto first = static_cast<std::uint32_t>(out.numbers.size() / 3);
+            for (long i = 0; i < 3 * corners; ++i) out.numbers.push_back(in_.number("a corner"));
+            for (std::uint32_t i = 2; i < static_cast<std::uint32_t>(corners); ++i)
+                out.corners.insert(out.corners.end(), {first, first + i - 1, first + i});
+        }
+        database_.add(std::move(object));
+    }
+
+    /// t name mode orientation 0 corners triangles, then rows "number: ...".
+    void bot() {
+        Object object{.name = std::string(in_.wanted_word("a bot's name")), .place = in_.place()};
+        Solid& out = object.solid = {.kind = SolidKind::bot, .type = "bot"};
+        out.mode = static_cast<int>(in_.whole("a bot's mode"));
+        out.orientation = static_cast<int>(in_.whole("a bot's orientation"));
+        static_cast<void>(in_.whole("a bot's errors"));
+        const long corners = in_.whole("a count of corners"), triangles = in_.whole("a count of triangles");
+        const auto row = [&](const char* what) {
+            if (!in_.next_record()) in_.fail(fmt::format("found the end of the file, wanted {}", what));
+            static_cast<void>(in_.wanted_word("a number"));
+        };
+        for (long i = 0; i < corners; ++i) {
+            row("a corner");
+            for (int k = 0; k < 3; ++k) out.numbers.push_back(in_.number("a corner"));
+        }
+        for (long i = 0; i < triangles; ++i) {
+            row("a triangle");
+            for (int k = 0; k < 3; ++k) out.corners.push_back(index_below(corners));
+            if (out.mode < 3) continue;
+            out.thickness.push_back(in_.number("a thickness"));
+            out.appended.push_back(in_.whole("a plate's mode") != 0);
+        }
+        finish(std::move(object));
+    }
+    std::uint32_t index_below(long count) {
+        const long i = in_.whole("a corner's number");
+        if (i < 0 || i >= count) in_.fail(fmt::format("found corner {}, wanted one below {}", i, count));
+        return static_cast<std::uint32_t>(i);
+    }
+
+    /// d name V A B corners curves, a line of corners, then a curve a line.
+    void sketch() {
+        Object object{.name = std::string(in_.wanted_word("a sketch's name")), .place = in_.place()};
+        Solid& out = object.solid = {.kind = SolidKind::sketch, .type = "sketch"};
+        for (int i = 0; i < 9; ++i) out.numbers.push_back(in_.number("a sketch's number"));
+        const long corners = in_.whole("a count of corners"), curves = in_.whole("a count of curves");
+        if (!in_.next_record()) in_.fail("found the end of the file, wanted a sketch's corners");
+        for (long i = 0; i < 2 * corners; ++i) out.numbers.push_back(in_.number("a sketch's corner"));
+        for (long i = 0; i < curves; ++i) {
+            if (!in_.next_record()) in_.fail("found the end of the file, wanted a sketch's curve");
+            out.curves.push_back(curve(corners));
+        }
+        finish(std::move(object));
+    }
+    SketchCurve curve(long corners) {
+        const std::string kind(in_.wanted_word("a curve's letter"));
+        SketchCurve out;
+        static_cast<void>(in_.whole("a curve's direction"));
+        if (kind == "L" || kind == "A") {
+            for (int i = 0; i < 2; ++i) out.corners.push_back(index_below(corners));
+            if (kind == "L") return out;
+            out.kind = SketchCurve::Kind::arc;
+            out.radius = in_.number("an arc's radius");
+            out.centre_left = in_.whole("an arc's side") != 0;
+            out.clockwise = in_.whole("an arc's direction") != 0;
+            return out;
+        }
+        if (kind != "N") in_.fail(fmt::format("found curve \"{}\", wanted L, A or N", kind.substr(0, 20)));
+        out.kind = SketchCurve::Kind::nurb;
+        for (const char* what : {"a NURB's order", "a NURB's points"}) static_cast<void>(in_.whole(what));
+        const long knots = in_.whole("a count of knots"), points = in_.whole("a count of points");
+        begin_row("K", 0);
+        for (long i = 0; i < knots; ++i) out.knots.push_back(in_.number("a knot"));
+        begin_row("V", 0);
+        for (long i = 0; i < points; ++i) out.corners.push_back(index_below(corners));
+        return out;
+    }
+
+    /// e name sketch key-point V H A B.
+    void extrude() {
+        Object object{.name = std::string(in_.wanted_word("an extrude's name")), .place = in_.place()};
+        object.solid = {.kind = SolidKind::extrude, .type = "extrude"};
+        object.solid.sketch = std::string(in_.wanted_word("a sketch's name"));
+        static_cast<void>(in_.whole("a key point"));
+        for (int i = 0; i < 12; ++i) object.solid.numbers.push_back(in_.number("an extrude's number"));
+        finish(std::move(object));
+    }
+
+    /// c name V H radius thickness.
+    void cline() {
+        Object object{.name = std::string(in_.wanted_word("a cline's name")), .place = in_.place()};
+        double v[8];
+        for (double& x : v) x = in_.number("a cline's number");
+        object.solid = {
+            .kind = SolidKind::cline, .numbers = {v[7], v[6], v[0], v[1], v[2], v[3], v[4], v[5]}, .type = "cline"};
+        finish(std::move(object));
+    }
+
+    void finish(Object object) {
         database_.add(std::move(object));
         more_ = in_.next_record();
     }

@@ -73,9 +73,17 @@ private:
         if (type == "sketch") return sketch();
         if (type == "extrude") return of_sketch(SolidKind::extrude, type, {"V", "H", "A", "B"}, "S");
         if (type == "revolve") return of_sketch(SolidKind::revolve, type, {"V", "axis", "R", "ang"}, "sk_name");
+        if (type == "ars") return ars();
+        if (type == "metaball") return metaball();
+        if (type == "binunif") return data();
+        for (const auto& [name, kind] : {std::pair{"dsp", SolidKind::dsp},
+                                         {"ebm", SolidKind::ebm},
+                                         {"vol", SolidKind::vol},
+                                         {"hf", SolidKind::hf}})
+            if (type == name) return fields(kind, type);
         const bool is_arb = type == "arb4" || type == "arb5" || type == "arb6" || type == "arb7";
         const SolidRow* row = find_row(is_arb ? "arb8" : type == "sph" ? "ell" : type);
-        if (!row) return {.type = type};
+        if (!row) return {.kind = kind_without_body(type), .type = type};
         Solid out{.kind = row->kind, .type = row->name};
         for (const SolidField& field : row->fields) {
             const TclWord* found = value_of(field.name);
@@ -159,6 +167,8 @@ private:
         }
         if (const TclWord* v = value_of("V")) append_numbers(*v, 0, out.numbers);
         if (const TclWord* t = value_of("T"); t && out.mode > 2) append_numbers(*t, 0, out.thickness);
+        if (const TclWord* modes_of = value_of("fm"); modes_of && out.mode > 2)
+            out.appended = appended_plates(modes_of->text, out.thickness.size());
         if (out.numbers.size() % 3) fail(words_[2].offset, "found corners that are no triples");
         if (const TclWord* f = value_of("F")) {
             std::vector<double> corners;
@@ -169,6 +179,53 @@ private:
                 out.corners.push_back(static_cast<std::uint32_t>(c));
             }
             if (corners.size() % 3) fail(f->offset, "found triangles that are no triples");
+        }
+        return out;
+    }
+
+    Solid fields(SolidKind kind, const std::string& type) const {
+        Solid out{.kind = kind, .type = type};
+        for (std::size_t i = 3; i + 1 < words_.size(); i += 2) out.fields[words_[i].text] = words_[i + 1].text;
+        return out;
+    }
+
+    /// Curves C0 C1 ... of as many points each.
+    Solid ars() const {
+        Solid out{.kind = SolidKind::ars, .type = "ars"};
+        for (int i = 0;; ++i) {
+            const TclWord* curve = value_of(fmt::format("C{}", i));
+            if (!curve) return out;
+            append_numbers(*curve, i ? out.points_a_curve * 3 : 0, out.numbers);
+            if (i == 0) out.points_a_curve = out.numbers.size() / 3;
+            if (i == 0 && out.numbers.size() % 3) fail(curve->offset, "found points that are no triples");
+        }
+    }
+
+    /// metaball METHOD THRESHOLD {{x y z strength sharpness} ...}.
+    Solid metaball() const {
+        Solid out{.kind = SolidKind::metaball, .type = "metaball"};
+        out.method = static_cast<int>(std::clamp(whole(word(3, "a metaball's method")), 0L, 255L));
+        out.numbers.push_back(number(word(4, "a metaball's threshold")));
+        append_numbers(word(5, "a metaball's points"), 0, out.numbers);
+        if (out.numbers.size() % 5 != 1) fail(words_[5].offset, "found points that are not of five numbers");
+        return out;
+    }
+
+    /// Numbers of type T: bytes and words only, which other solids use.
+    Solid data() const {
+        Solid out{.kind = SolidKind::data, .type = "binunif"};
+        const TclWord *type = value_of("T"), *values = value_of("D");
+        if (!type || !values) fail(words_[2].offset, "found binunif without T and D");
+        static constexpr std::string_view letters = "fdCSILcsil";
+        static constexpr int types[] = {2, 3, 4, 5, 6, 7, 12, 13, 14, 15};
+        const std::size_t letter = type->text.size() == 1 ? letters.find(type->text[0]) : std::string_view::npos;
+        out.element = letter == std::string_view::npos ? static_cast<int>(whole(*type) & 15) : types[letter];
+        const int kind = out.element & 7;
+        if (kind != 4 && kind != 5) return out;
+        for (const TclWord& value : list_of(*values)) {
+            const long n = whole(value);
+            if (kind == 5) out.bytes += static_cast<char>(n >> 8 & 255);
+            out.bytes += static_cast<char>(n & 255);
         }
         return out;
     }
@@ -200,18 +257,19 @@ private:
             const std::vector<TclWord> parts = list_of(word);
             if (parts.empty()) continue;
             const std::string& kind = parts[0].text;
-            if (kind != "line" && kind != "carc" && kind != "bezier")
+            if (kind != "line" && kind != "carc" && kind != "bezier" && kind != "nurb")
                 return {.type = fmt::format("sketch with a curve \"{}\"", kind.substr(0, 20))};
             out.curves.push_back(curve(parts, (out.numbers.size() - 9) / 2));
         }
         return out;
     }
 
-    /// line S 0 E 1; carc S 0 E 1 R 5 L 1 O 0; bezier D 2 P {0 1 2}.
+    /// line S 0 E 1; carc S 0 E 1 R 5 L 1 O 0; bezier D 2 P {0 1 2}; nurb O 3 T 5 K {0 0 0 1 1 1} P {0 1 2} W {1 1 1}.
     SketchCurve curve(const std::vector<TclWord>& parts, std::size_t corners) const {
         SketchCurve out;
         if (parts[0].text == "carc") out.kind = SketchCurve::Kind::arc;
         if (parts[0].text == "bezier") out.kind = SketchCurve::Kind::bezier;
+        if (parts[0].text == "nurb") out.kind = SketchCurve::Kind::nurb;
         const auto corner = [&](const TclWord& at) {
             const long i = whole(at);
             if (i < 0 || static_cast<std::size_t>(i) >= corners)
@@ -223,9 +281,11 @@ private:
             if (key == "S" || key == "E") corner(parts[i + 1]);
             if (key == "P")
                 for (const TclWord& at : list_of(parts[i + 1])) corner(at);
+            if (key == "K") append_numbers(parts[i + 1], 0, out.knots);
+            if (key == "W") append_numbers(parts[i + 1], 0, out.weights);
             if (key == "R") out.radius = number(parts[i + 1]);
             if (key == "L") out.centre_left = whole(parts[i + 1]) != 0;
-            if (key == "O") out.clockwise = whole(parts[i + 1]) != 0;
+            if (key == "O" && out.kind == SketchCurve::Kind::arc) out.clockwise = whole(parts[i + 1]) != 0;
         }
         if (out.corners.size() < 2) fail(parts[0].offset, "found a curve without both of its ends");
         return out;

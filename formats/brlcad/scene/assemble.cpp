@@ -100,6 +100,21 @@ private:
     std::set<std::string> noted_;
 };
 
+/// What is drawn where nothing is named: solids in no combination are what building the others has left over, unless
+/// there is nothing else.
+std::vector<std::string> drawn_by_itself(const Database& database, Scene& scene) {
+    std::set<std::string> combinations;
+    for (const Object& object : database.objects)
+        if (object.combination && !object.combination->steps.empty()) combinations.insert(object.name);
+    std::vector<std::string> drawn, left;
+    for (const std::string& name : scene.tops) (combinations.contains(name) ? drawn : left).push_back(name);
+    if (drawn.empty()) return left;
+    if (!left.empty())
+        scene.warnings.push_back(fmt::format("{}: in no combination and left out; name them to draw them: {}",
+                                             scene.file, fmt::join(left, ", ")));
+    return drawn;
+}
+
 }  // namespace
 
 Scene assemble(Database database, const std::string& file, const ReadOptions& options) {
@@ -111,8 +126,9 @@ Scene assemble(Database database, const std::string& file, const ReadOptions& op
     check_objects(database, options.objects, file);
     Materials materials(scene, look);
     std::vector<std::string> warnings;
-    std::vector<Region> regions = collect_regions(database, options.objects.empty() ? scene.tops : options.objects,
-                                                  materials, scene.solids, warnings);
+    const std::vector<std::string> objects =
+        options.objects.empty() ? drawn_by_itself(database, scene) : options.objects;
+    std::vector<Region> regions = collect_regions(database, objects, materials, scene.solids, warnings);
     scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
     if (look == Look::rt)
         finish_rt(scene, regions);

@@ -25,15 +25,6 @@ double roughness(double shine) { return std::pow(2 / (std::max(shine, 0.0) + 2),
 
 Rgb mixed(Rgb a, Rgb b, float share) { return a * (1 - share) + b * share; }
 
-Box3d box_of(const SolidTree& tree, std::uint32_t node) {
-    Box3d out;
-    csg::for_each_leaf(tree, node, [&](const Leaf& leaf) {
-        const Box3d box = csg::leaf_bounds(tree, leaf);
-        if (box.bounded()) out.include(box);
-    });
-    return out;
-}
-
 Rgb colour_or(const ShaderText& shader, const char* key, Rgb fallback) {
     const std::vector<double> v = shader.triple(key);
     if (v.empty()) return fallback;
@@ -41,12 +32,6 @@ Rgb colour_or(const ShaderText& shader, const char* key, Rgb fallback) {
         return linear(static_cast<float>(std::clamp(v[i], 0.0, 255.0) / 255)) * whitest;
     };
     return {channel(0), channel(1), channel(2)};
-}
-
-bool is_light(const RegionLook& look) { return parse_shader(look.shader).name == "light"; }
-
-double intensity(const RegionLook& look) {
-    return std::max(parse_shader(look.shader).number({"bright", "b", "inten"}, 1), 0.0);
 }
 
 /// Lamps of one brightness ratio as in the file; the brightest gives a white surface in the middle of the model the
@@ -75,6 +60,21 @@ void set_lamps(Scene& scene, const std::vector<Region>& regions) {
 }
 
 }  // namespace
+
+Box3d box_of(const SolidTree& tree, std::uint32_t node) {
+    Box3d out;
+    csg::for_each_leaf(tree, node, [&](const Leaf& leaf) {
+        const Box3d box = csg::leaf_bounds(tree, leaf);
+        if (box.bounded()) out.include(box);
+    });
+    return out;
+}
+
+bool is_light(const RegionLook& look) { return parse_shader(look.shader).name == "light"; }
+
+double intensity(const RegionLook& look) {
+    return std::max(parse_shader(look.shader).number({"bright", "b", "inten"}, 1), 0.0);
+}
 
 Rgb display_colour(const RegionLook& look) {
     if (!look.colour) return Rgb(1);

@@ -14,6 +14,13 @@ Rgb display_colour(const RegionLook& look);
 /// The same as a reflectance: linear.
 Rgb reflectance(const RegionLook& look);
 
+/// Of the bounded parts of a region's solid, not of what is cut from them, as rt bounds a region.
+Box3d box_of(const SolidTree& tree, std::uint32_t node);
+
+bool is_light(const RegionLook& look);
+/// Of a lamp as its shader says, against others; 0 and more.
+double intensity(const RegionLook& look);
+
 /// A physical material that looks as BRL-CAD's shader is meant to; notes get what it cannot say. docs/brlcad.md has the
 /// table.
 MaterialSettings physical_material(const RegionLook& look, std::vector<std::string>& notes);

@@ -18,14 +18,6 @@ constexpr std::size_t most_planes = 100;
 
 using Node = std::optional<std::uint32_t>;
 
-Node add_mesh(SolidTarget& target, TriangleMesh mesh) {
-    if (mesh.triangles.empty()) {
-        target.note = "has no volume";
-        return std::nullopt;
-    }
-    return add_leaf(target, {.kind = LeafKind::mesh, .data = target.tree.add_mesh(std::move(mesh))});
-}
-
 /// An edge along an axis as exactly that, so that the quickest solver may take it.
 Vec3d straightened(Vec3d v) {
     const double least = rounding * length(v);
@@ -52,7 +44,56 @@ std::optional<Vec3d> meeting(const double* a, const double* b, const double* c) 
     return (cross(nb, nc) * a[3] + cross(nc, na) * b[3] + cross(na, nb) * c[3]) * (1 / det);
 }
 
+/// Plates as slabs on the triangles: to both sides, or inward from them.
+Node add_plates(SolidTarget& target, const Solid& solid) {
+    const std::uint32_t triangle = target.tree.add_profile({{{{0, 0}, {1, 0}, {0, 1}}}});
+    const auto corner = [&](std::size_t i) {
+        const double* p = &solid.numbers[3 * std::size_t{solid.corners[i]}];
+        return Vec3d{p[0], p[1], p[2]};
+    };
+    std::vector<std::uint32_t> parts;
+    for (std::size_t i = 0; i + 2 < solid.corners.size(); i += 3) {
+        const Vec3d a = corner(i), b = corner(i + 1), c = corner(i + 2);
+        Vec3d n = cross(b - a, c - a);
+        const double thickness = i / 3 < solid.thickness.size() ? solid.thickness[i / 3] : 0, size = length(n);
+        if (!(thickness > 0 && size > 0)) continue;
+        n *= thickness / size * (solid.orientation == 3 ? -1 : 1);
+        const bool appended = i / 3 < solid.appended.size() && solid.appended[i / 3];
+        const Vec3d from = appended ? a - n : a - n * 0.5;
+        if (const Node part = add_leaf(
+                target,
+                {.kind = LeafKind::prism, .to_world = columns(b - a, c - a, n, from), .a = 1, .data = triangle}))
+            parts.push_back(*part);
+    }
+    target.note.clear();  // of triangles without area
+    if (parts.empty()) target.note = "is of plates of which none has a thickness, and is left out";
+    return parts.empty() ? Node{} : target.tree.add_node(SolidOp::unite, parts);
+}
+
 }  // namespace
+
+std::optional<std::uint32_t> add_mesh(SolidTarget& target, TriangleMesh mesh) {
+    if (mesh.triangles.empty()) {
+        target.note = "has no volume";
+        return std::nullopt;
+    }
+    return add_leaf(target, {.kind = LeafKind::mesh, .data = target.tree.add_mesh(std::move(mesh))});
+}
+
+std::optional<std::uint32_t> add_ars(SolidTarget& target, const Solid& solid) {
+    TriangleMesh mesh;
+    const auto& v = solid.numbers;
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3) mesh.vertices.push_back({v[i], v[i + 1], v[i + 2]});
+    const std::size_t around = solid.points_a_curve, curves = around ? mesh.vertices.size() / around : 0;
+    const auto at = [&](std::size_t i, std::size_t k) { return static_cast<std::uint32_t>(i * around + k % around); };
+    for (std::size_t i = 0; i + 1 < curves; ++i)
+        for (std::size_t k = 0; k < around; ++k) {
+            mesh.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+            mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+        }
+    if (!csg::repair(mesh).closed()) target.note = "is not closed, and is drawn as a surface";
+    return add_mesh(target, std::move(mesh));
+}
 
 std::optional<std::uint32_t> add_arb8(SolidTarget& target, const Solid& solid) {
     std::array<Vec3d, 8> p;
@@ -105,6 +146,7 @@ std::optional<std::uint32_t> add_arbn(SolidTarget& target, const Solid& solid) {
 }
 
 std::optional<std::uint32_t> add_bot(SolidTarget& target, const Solid& solid) {
+    if (solid.mode > 2) return add_plates(target, solid);
     TriangleMesh mesh;
     for (std::size_t i = 0; i + 2 < solid.numbers.size(); i += 3)
         mesh.vertices.push_back({solid.numbers[i], solid.numbers[i + 1], solid.numbers[i + 2]});
@@ -113,10 +155,7 @@ std::optional<std::uint32_t> add_bot(SolidTarget& target, const Solid& solid) {
     if (solid.orientation == 3)
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     const csg::MeshFaults faults = csg::repair(mesh);
-    if (solid.mode > 2)
-        target.note = "is of plates, which are drawn without their thickness";
-    else if (!faults.closed())
-        target.note = "is not closed, and is drawn as a surface";
+    if (!faults.closed()) target.note = "is not closed, and is drawn as a surface";
     return add_mesh(target, std::move(mesh));
 }
 

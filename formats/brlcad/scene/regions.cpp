@@ -219,7 +219,10 @@ std::vector<Region> collect_regions(const Database& database, const std::vector<
 std::vector<std::string> top_objects(const Database& database) {
     std::unordered_set<std::string> members;
     for (const Object& object : database.objects)
-        if (object.combination)
+        if (!object.combination) {
+            if (object.solid.kind == SolidKind::data || object.solid.kind == SolidKind::sketch)
+                members.insert(object.name);
+        } else
             for (const Step& step : object.combination->steps)
                 if (step.op == Step::Op::member) members.insert(step.name);
     std::vector<std::string> out;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "csg/exact/walk.hpp"
-#include "csg/leaves/leaf.hpp"
 #include "formats/brlcad/scene/looks.hpp"
 
 namespace cardioid::formats::brlcad {
@@ -13,16 +11,6 @@ namespace {
 /// rt's default of `-A`.
 constexpr double ambient = 0.4;
 
-/// Of the parts, not of what is cut from them, as rt bounds a region.
-Box3d box_of(const SolidTree& tree, std::uint32_t node) {
-    Box3d out;
-    csg::for_each_leaf(tree, node, [&](const Leaf& leaf) {
-        const Box3d box = csg::leaf_bounds(tree, leaf);
-        if (box.bounded()) out.include(box);
-    });
-    return out;
-}
-
 /// Defaults of sh_plastic.c: shine, specular, diffuse, transmit, reflect, index.
 struct Defaults {
     const char* name;
@@ -30,12 +18,6 @@ struct Defaults {
 };
 constexpr Defaults defaults[] = {
     {"plastic", 10, 0.7, 0.3, 0, 0, 1}, {"mirror", 4, 0.6, 0.4, 0, 0.75, 1.65}, {"glass", 4, 0.7, 0.3, 0.8, 0.1, 1.65}};
-
-bool is_light(const Region& region) { return parse_shader(region.look.shader).name == "light"; }
-
-double intensity(const Region& region) {
-    return std::max(parse_shader(region.look.shader).number({"bright", "b", "inten"}, 1), 0.0);
-}
 
 /// The texture of a shader, and whether it is shown without light: where it is not within a stack below a surface.
 void set_texture(const ShaderText& shader, Params& params) {
@@ -102,14 +84,15 @@ void finish_rt(Scene& scene, std::vector<Region>& regions) {
     });
     double brightest = 0;
     for (const Region& region : regions)
-        if (is_light(region)) brightest = std::max(brightest, intensity(region));
+        if (is_light(region.look)) brightest = std::max(brightest, intensity(region.look));
     std::vector<Region> kept;
     for (Region& region : regions) {
-        if (is_light(region) && brightest > 0) {
+        if (is_light(region.look) && brightest > 0) {
             const ShaderText shader = parse_shader(region.look.shader);
             const Vec3d at = box_of(scene.solids, region.node).centre();
             Params& params = scene.materials[region.material].params;
-            const double share = shader.number({"fract", "f"}, intensity(region) / (brightest * (1 + 0.5 * ambient)));
+            const double share =
+                shader.number({"fract", "f"}, intensity(region.look) / (brightest * (1 + 0.5 * ambient)));
             params.set("light", std::clamp(share, 0.0, 1e6));
             params.set("angle", std::clamp(shader.number({"angle", "a"}, 180), 0.0, 180.0));
             params.set("shadows", shader.number({"shadows", "s"}, 1) > 0 ? 1.0 : 0.0);

@@ -11,9 +11,11 @@ namespace cardioid::formats::brlcad {
 namespace {
 
 constexpr double pi_d = std::numbers::pi;
-/// Chords in place of a whole circle, and of a Bezier curve: areas are right to 4e-6.
+/// Chords in place of a whole circle, and of a Bezier curve or a NURB's stretch: areas are right to 4e-6.
 constexpr double circle_steps = 1440;
 constexpr int bezier_steps = 256;
+/// Of a NURB's corners that one place of it depends on.
+constexpr std::size_t most_order = 64;
 
 using Node = std::optional<std::uint32_t>;
 using Path = std::vector<Vec2d>;
@@ -66,7 +68,47 @@ Path bezier(const Solid& sketch, const SketchCurve& curve) {
     return out;
 }
 
+bool is_nurb(const SketchCurve& curve) {
+    const std::size_t points = curve.corners.size(), knots = curve.knots.size();
+    return points >= 2 && knots >= points + 2 && knots <= points + std::min(points, most_order) &&
+           std::is_sorted(curve.knots.begin(), curve.knots.end()) &&
+           (curve.weights.empty() || curve.weights.size() == points) &&
+           std::all_of(curve.weights.begin(), curve.weights.end(), [](double w) { return w > 0; }) &&
+           curve.knots[knots - points - 1] < curve.knots[points];
+}
+
+/// By de Boor's corner cutting of (w x, w y, w), in as many chords to each stretch between knots.
+Path nurb(const Solid& sketch, const SketchCurve& curve) {
+    const std::size_t points = curve.corners.size(), degree = curve.knots.size() - points - 1;
+    const auto& k = curve.knots;
+    Path out;
+    for (std::size_t span = degree; span < points; ++span) {
+        if (!(k[span] < k[span + 1])) continue;
+        for (int step = out.empty() ? 0 : 1; step <= bezier_steps; ++step) {
+            const double t = k[span] + (k[span + 1] - k[span]) * step / bezier_steps;
+            std::vector<Vec3d> p;
+            for (std::size_t i = span - degree; i <= span; ++i) {
+                const Vec2d c = corner(sketch, curve.corners[i]);
+                const double w = curve.weights.empty() ? 1 : curve.weights[i];
+                p.push_back({c.x * w, c.y * w, w});
+            }
+            for (std::size_t r = 1; r <= degree; ++r)
+                for (std::size_t j = degree; j >= r; --j) {
+                    const std::size_t i = span - degree + j;
+                    const double share = (t - k[i]) / (k[i + degree + 1 - r] - k[i]);
+                    p[j] = p[j - 1] * (1 - share) + p[j] * share;
+                }
+            out.push_back({p[degree].x / p[degree].z, p[degree].y / p[degree].z});
+        }
+    }
+    // A clamped curve ends at its corners, whatever rounding says.
+    if (k[0] == k[degree]) out.front() = corner(sketch, curve.corners.front());
+    if (k[points] == k.back()) out.back() = corner(sketch, curve.corners.back());
+    return out;
+}
+
 Path path_of(const Solid& sketch, const SketchCurve& curve) {
+    if (curve.kind == SketchCurve::Kind::nurb) return is_nurb(curve) ? nurb(sketch, curve) : Path{};
     if (curve.kind == SketchCurve::Kind::arc) return arc(sketch, curve);
     if (curve.kind == SketchCurve::Kind::bezier) return bezier(sketch, curve);
     return {corner(sketch, curve.corners[0]), corner(sketch, curve.corners[1])};

@@ -10,6 +10,9 @@ namespace {
 /// Ratios that differ by less are meant to be the same: databases of version 4 hold single precision.
 constexpr double same_ratio = 1e-5;
 
+/// Beyond these a superell is a box, or too thin for its corners to be told apart in double precision.
+constexpr double least_exponent = 0.01, most_exponent = 20;
+
 using Node = std::optional<std::uint32_t>;
 
 class Numbers {
@@ -126,10 +129,25 @@ Node add_hyp(SolidTarget& target, const Numbers& n) {
     return add_form(target, FormKind::waist, {std::max(neck, same_ratio)}, map);
 }
 
+/// A line with a radius: a cylinder, or a tube where it has a thickness.
+Node add_cline(SolidTarget& target, const Numbers& n) {
+    const double thickness = n[0], radius = n[1];
+    const Vec3d v = n.vector(2), h = n.vector(5);
+    const auto cylinder = [&](double r) {
+        Affine map = upright(h, v);
+        for (Vec3d& row : map.row) row.z *= length(h);
+        return add_leaf(target, {.kind = LeafKind::cone, .to_world = map, .a = r, .b = r});
+    };
+    if (!(radius > 0)) return no_volume(target);
+    const Node whole = cylinder(radius);
+    if (!whole || !(thickness > 0 && thickness < radius)) return whole;
+    return target.tree.add_node(SolidOp::subtract, {*whole, *cylinder(radius - thickness)});
+}
+
 Node add_superell(SolidTarget& target, const Numbers& n) {
     const double power = n[12], around = n[13];
-    if (!(power > 0.01 && power <= 2 && around > 0.01 && around <= 2)) {
-        target.note = "has an exponent outside of 0.01 to 2, where it is not convex, and is left out";
+    if (!(power >= least_exponent && power <= most_exponent && around >= least_exponent && around <= most_exponent)) {
+        target.note = "has an exponent outside of 0.01 to 20, and is left out";
         return std::nullopt;
     }
     return add_form(target, FormKind::superellipsoid, {power, around},
@@ -168,6 +186,8 @@ Node add_simple(SolidTarget& target, const Solid& solid) {
             return add_eto(target, n);
         case SolidKind::hyp:
             return add_hyp(target, n);
+        case SolidKind::cline:
+            return add_cline(target, n);
         default:
             return add_superell(target, n);
     }
@@ -217,7 +237,20 @@ std::optional<std::uint32_t> add_solid(SolidTarget& target, const Solid& solid) 
             return add_extrude(target, solid);
         case SolidKind::revolve:
             return add_revolve(target, solid);
+        case SolidKind::ars:
+            return add_ars(target, solid);
+        case SolidKind::dsp:
+        case SolidKind::ebm:
+        case SolidKind::vol:
+        case SolidKind::hf:
+            return add_grid(target, solid);
+        case SolidKind::metaball:
+            return add_metaball(target, solid);
         case SolidKind::sketch:  // others extrude or turn it
+        case SolidKind::data:    // others are made of it
+            return std::nullopt;
+        case SolidKind::nothing:
+            target.note = "is of type \"" + solid.type + "\", of which nothing is drawn";
             return std::nullopt;
         case SolidKind::unsupported:
             target.note = "is of type \"" + solid.type + "\", which is not supported, and is left out";

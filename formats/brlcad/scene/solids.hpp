@@ -30,6 +30,12 @@ Affine upright(Vec3d axis, Vec3d t);
 
 std::optional<std::uint32_t> add_arb8(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_arbn(SolidTarget& target, const Solid& solid);
+std::optional<std::uint32_t> add_ars(SolidTarget& target, const Solid& solid);
+std::optional<std::uint32_t> add_metaball(SolidTarget& target, const Solid& solid);
+/// A dsp, ebm, vol or hf, of a file or an object of the database.
+std::optional<std::uint32_t> add_grid(SolidTarget& target, const Solid& solid);
+/// A closed mesh; where it is not, or is empty, with a note.
+std::optional<std::uint32_t> add_mesh(SolidTarget& target, TriangleMesh mesh);
 std::optional<std::uint32_t> add_bot(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_pipe(SolidTarget& target, const Solid& solid);
 std::optional<std::uint32_t> add_extrude(SolidTarget& target, const Solid& solid);

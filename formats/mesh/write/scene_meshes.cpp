@@ -1,11 +1,13 @@
 #include "formats/mesh/write/scene_meshes.hpp"
 
+#include <exception>
 #include <map>
 
 #include "csg/exact/evaluate_mesh.hpp"
 #include "csg/exact/tessellate.hpp"
 #include "csg/exact/walk.hpp"
 #include "rt_core/api/error.hpp"
+#include "rt_core/api/parallel.hpp"
 
 namespace cardioid::formats {
 
@@ -54,13 +56,34 @@ std::vector<MeshPart> united_parts(const Scene& scene, SolidTree& tree, double t
     return out;
 }
 
+/// What became of a region: its mesh, or why it has none.
+struct RegionMesh {
+    TriangleMesh mesh;
+    std::exception_ptr failure;
+};
+
+/// All regions at once, each by one thread; what fails is told in the order of the file.
+std::vector<RegionMesh> region_meshes(const SolidTree& tree, double tolerance) {
+    std::vector<RegionMesh> out(tree.roots.size());
+    parallel_for(static_cast<std::int64_t>(out.size()), [&](std::int64_t i) {
+        RegionMesh& region = out[static_cast<std::size_t>(i)];
+        try {
+            region.mesh = csg::evaluate_mesh(tree, tree.roots[static_cast<std::size_t>(i)], tolerance);
+        } catch (...) {
+            region.failure = std::current_exception();
+        }
+    });
+    return out;
+}
+
 std::vector<MeshPart> region_parts(const Scene& scene, double tolerance, const MeshWish& wish) {
     std::vector<MeshPart> out;
-    for (std::size_t i = 0; i < scene.solids.roots.size(); ++i) {
-        const std::uint32_t root = scene.solids.roots[i];
-        MeshPart part{scene.names[i], name_of(scene, material_of(scene.solids, root)), {}};
+    std::vector<RegionMesh> regions = region_meshes(scene.solids, tolerance);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        MeshPart part{scene.names[i], name_of(scene, material_of(scene.solids, scene.solids.roots[i])),
+                      std::move(regions[i].mesh)};
         try {
-            part.mesh = csg::evaluate_mesh(scene.solids, root, tolerance);
+            if (regions[i].failure) std::rethrow_exception(regions[i].failure);
         } catch (const Error& e) {
             if (e.code() != ErrorCode::bad_input) throw;
             if (wish.notes) wish.notes->push_back(scene.file + ": region " + part.name + " is left out: " + e.what());

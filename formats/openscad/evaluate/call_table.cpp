@@ -68,7 +68,7 @@ constexpr Row rows[] = {
     {"photons", Node::photons, "", "", true},
     {"precision", Node::precision, "digits"},
     {"end", Node::end},
-    {"roof", Node::later},
+    {"roof", Node::roof, "method convexity"},
     {"animate", Node::later},
     {"import_stl", Node::import_file, "file layer convexity origin scale", "filename layername center timestamp"},
     {"import_off", Node::import_file, "file layer convexity origin scale", "filename layername center timestamp"},

@@ -42,6 +42,7 @@ enum class Node : std::uint8_t {
     fill,
     linear_extrude,
     rotate_extrude,
+    roof,
     film,
     camera,
     define_material,

@@ -124,6 +124,7 @@ private:
                 break;
             case Node::linear_extrude:
             case Node::rotate_extrude:
+            case Node::roof:
                 state.in_plane = {};
                 frame.dimension = Dimension::plane;
                 break;
@@ -199,10 +200,12 @@ private:
     void extrude(const Frame& frame) {
         const Arguments args = arguments_of(frame);
         std::vector<Plane> parts = results_.take_planes(frame.mark);
-        if (auto from_file = figure_of_extrusion(args, shapes_)) parts.push_back(std::move(*from_file));
+        if (frame.node != Node::roof)
+            if (auto from_file = figure_of_extrusion(args, shapes_)) parts.push_back(std::move(*from_file));
         if (parts.empty()) return;
-        const Extrusion made = frame.node == Node::linear_extrude ? linear_extrusion(parts, args, shapes_)
-                                                                  : rotate_extrusion(parts, args, shapes_);
+        const Extrusion made = frame.node == Node::roof             ? roof(parts, args, shapes_)
+                               : frame.node == Node::linear_extrude ? linear_extrusion(parts, args, shapes_)
+                                                                    : rotate_extrusion(parts, args, shapes_);
         if (!made.body || !add_leaf(*made.body, args) || made.wedge.empty()) return;
         const ResultMark wedge = results_.mark();
         for (const Shape& half : made.wedge) add_leaf(half, args);

@@ -4,7 +4,7 @@
 
 #include "csg/exact/evaluate_mesh.hpp"
 #include "csg/exact/hull.hpp"
-#include "csg/exact/minkowski.hpp"
+#include "csg/exact/minkowski/minkowski.hpp"
 #include "csg/exact/section.hpp"
 #include "csg/exact/tessellate.hpp"
 #include "formats/openscad/geometry/plane_operations.hpp"

@@ -54,7 +54,7 @@ struct Frame {
     [[nodiscard]] bool is_boolean() const { return node == Node::difference || node == Node::intersection; }
     /// Children stay apart: the results of one are one.
     [[nodiscard]] bool joins_children() const { return is_boolean() || node == Node::minkowski; }
-    [[nodiscard]] bool is_extrusion() const { return node == Node::linear_extrude || node == Node::rotate_extrude; }
+    [[nodiscard]] bool is_extrusion() const { return node >= Node::linear_extrude && node <= Node::roof; }
     [[nodiscard]] std::string where() const { return ast->where(call->place); }
 };
 

@@ -22,4 +22,7 @@ std::optional<Shape> plate(std::span<const Plane> parts, const std::string& wher
 /// rotate_extrude of the union of `parts`. True curves: a torus or a revolution, cut by half-spaces below 360 degrees.
 Extrusion rotate_extrusion(std::span<const Plane> parts, const Arguments& arguments, ShapeContext& context);
 
+/// roof of the union of `parts`, as later versions of OpenSCAD have it.
+Extrusion roof(std::span<const Plane> parts, const Arguments& arguments, ShapeContext& context);
+
 }  // namespace cardioid::formats::openscad

@@ -132,9 +132,10 @@ std::optional<Shape> mesh_file(Node node, const Arguments& args, ShapeContext& c
     const std::string name = args.text(args.has("file") ? "file" : "filename");
     if (name.empty()) return removed(args, context, "found no file name, wanted import(file = \"model.stl\")");
     const std::string type = lower_extension(name);
-    static constexpr std::string_view known[] = {".stl", ".obj", ".ply", ".off", ".amf", ".3mf", ".gltf", ".glb"};
+    static constexpr std::string_view known[] = {".stl", ".obj",  ".ply", ".off", ".amf",
+                                                 ".3mf", ".gltf", ".glb", ".nef3"};
     if (std::ranges::find(known, type) == std::end(known))
-        args.fail("found \"" + name + "\", can import STL, OBJ, PLY, OFF, AMF, 3MF, glTF, DXF and SVG");
+        args.fail("found \"" + name + "\", can import STL, OBJ, PLY, OFF, AMF, 3MF, NEF3, glTF, DXF and SVG");
     const std::string path = path_of(name, context);
     if (const auto at = context.mesh_files.find(path); at != context.mesh_files.end())
         return Shape{LeafKind::mesh, {}, 0, 0, at->second};

@@ -65,6 +65,8 @@ void add_solids(Hasher& hash, const SolidTree& solids) {
     for (const Form& form : solids.forms) {
         hash.add(static_cast<std::uint64_t>(form.kind));
         for (const double x : form.numbers) hash.add(x);
+        if (!form.blobs) continue;
+        for (const Blob& blob : *form.blobs) hash.add(blob.centre), hash.add(blob.strength), hash.add(blob.sharpness);
     }
 }
 

@@ -1,11 +1,11 @@
-#include "csg/exact/minkowski.hpp"
+#include "csg/exact/minkowski/minkowski.hpp"
 
 #include <fmt/format.h>
 
-#include "csg/exact/convex_sum.hpp"
 #include "csg/exact/evaluate_mesh.hpp"
 #include "csg/exact/mesh_boolean.hpp"
 #include "csg/exact/mesh_cache.hpp"
+#include "csg/exact/minkowski/convex_sum.hpp"
 #include "csg/exact/walk.hpp"
 #include "rt_core/api/error.hpp"
 #include "rt_core/api/parallel.hpp"

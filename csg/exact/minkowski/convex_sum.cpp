@@ -1,4 +1,4 @@
-#include "csg/exact/convex_sum.hpp"
+#include "csg/exact/minkowski/convex_sum.hpp"
 
 #include <algorithm>
 #include <utility>
