@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <omp.h>
@@ -85,8 +86,17 @@ void write_picture(const RenderReport& report, const Film& film) {
     write_image(report.options.output, film, settings);
 }
 
-void tell_result(const RenderReport& report, Console& console) {
+bool is_black(const Film& film) {
+    const std::vector<float>& pixels = film.layers.front().pixels;
+    return std::all_of(pixels.begin(), pixels.end(), [](float value) { return value <= 0; });
+}
+
+void tell_result(const RenderReport& report, const Film& film, Console& console) {
     const RenderStatistics& s = report.statistics;
+    if (!s.interrupted && is_black(film))
+        console.warn(
+            "the picture is black: nothing that the camera sees is lit; try another side (-a, -e, --eye), and "
+            "`cardioid check`");
     if (s.bad_samples > 0)
         console.warn(fmt::format("{} samples were not finite or negative and count as black, the first in pixel {},{}",
                                  s.bad_samples, s.first_bad_pixel[0], s.first_bad_pixel[1]));
@@ -140,7 +150,7 @@ int render_scene(const RenderOptions& options, const std::string& command, Conso
     }
     report.phases_s = watch.phases_s;
     if (!options.stats.empty()) write_text(options.stats, statistics_json(report));
-    tell_result(report, console);
+    tell_result(report, result.film, console);
     if (!result.statistics.interrupted) return 0;
     throw Error(ErrorCode::interrupted, fmt::format("interrupted; {} has what was drawn so far", options.output));
 }

@@ -1,8 +1,7 @@
 // An armillary sphere of gold about a ball of glass; its rings draw their own curves of light on the table.
 use <../../share/cardioid.scad>
 
-film([360, 420], samples = 24);
-photons(error = 0.08);
+film([480, 560]);
 camera([120, -440, 255], look_at = [4, 0, 84], fov = 30);
 
 define_material("gold", kind = "conductor", metal = "gold", roughness = 0);

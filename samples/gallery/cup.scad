@@ -2,8 +2,7 @@
 // a bright cusp on milk coffee.
 use <../../share/cardioid.scad>
 
-film([420, 315], samples = 24);
-photons(error = 0.08);
+film([640, 480]);
 camera([52, -128, 225], look_at = [8, -2, 40], fov = 32, lens_radius = 1, focus = 220);
 
 define_material("steel", kind = "conductor", metal = "chromium");

@@ -1,8 +1,7 @@
 // Five stones, cut as jewellers cut them: light gathers beneath them.
 use <../../share/cardioid.scad>
 
-film([480, 360], samples = 40);
-photons(error = 0.1, count = 3e5);
+film([640, 480]);
 camera([4, -128, 88], look_at = [1, -4, 5], fov = 27);
 
 define_material("diamond", kind = "dielectric", ior = 2.42);

@@ -1,8 +1,7 @@
 // A pierced copper lantern: one small lamp, two hundred windows.
 use <../../share/cardioid.scad>
 
-film([440, 330], samples = 24);
-photons(error = 0.1, count = 6e5);
+film([640, 480]);
 camera([70, -330, 150], look_at = [-6, 10, 70], fov = 40);
 
 define_material("copper", kind = "conductor", metal = "copper", roughness = 0.16);

@@ -1,8 +1,7 @@
 // The sun through moving water: the net of light on the floor of a pool.
 use <../../share/cardioid.scad>
 
-film([440, 330], samples = 20);
-photons(error = 0.1, count = 3e5);
+film([640, 480]);
 camera([-330, -640, 420], look_at = [20, -30, -60], fov = 38);
 
 define_material("water", kind = "dielectric", ior = 1.333, transmittance = [0.55, 0.86, 0.93], distance = 300);

@@ -1,8 +1,7 @@
 // A rotunda after the Pantheon: the sun through the eye of the dome is all the light there is.
 use <../../share/cardioid.scad>
 
-film([330, 385], samples = 8);
-photons(error = 0.1, count = 2e5);
+film([480, 560]);
 camera([0, -20.2, 3.2], look_at = [1.5, 6, 13.2], fov = 74);
 
 define_material("concrete", kind = "diffuse", reflectance = [0.66, 0.60, 0.52]);

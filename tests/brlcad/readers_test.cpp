@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
@@ -48,6 +49,29 @@ TEST(Databases, SolidsInNoCombinationAreDrawnOnlyWhereTheyAreNamed) {
     EXPECT_NE(scene.warnings[0].find("left.s"), std::string::npos);
     EXPECT_EQ(brlcad_format.read(test::small_text_v5() + left, "model", {.objects = {"left.s"}}).names.size(), 1U);
     EXPECT_EQ(scene_of("title {only a solid}\nunits mm\n" + left).names.size(), 1U);
+}
+
+TEST(Looks, AHollowBallAroundAllElseIsTheSky) {
+    const auto model = [](const std::string& shader, double radius) {
+        return fmt::format(
+            "title {{t}}\nunits mm\n"
+            "put {{box.s}} ell V {{0 0 0}} A {{2 0 0}} B {{0 2 0}} C {{0 0 2}}\n"
+            "put {{out.s}} ell V {{0 0 0}} A {{{0} 0 0}} B {{0 {0} 0}} C {{0 0 {0}}}\n"
+            "put {{in.s}} ell V {{0 0 0}} A {{1 0 0}} B {{0 1 0}} C {{0 0 1}}\n"
+            "put {{box.r}} comb region yes tree {{l box.s}}\n"
+            "put {{dome.r}} comb region yes shader {{{1}}} tree {{- {{l out.s}} {{l in.s}}}}\n"
+            "put {{all.g}} comb region no tree {{u {{l box.r}} {{l dome.r}}}}\n",
+            radius, shader);
+    };
+    for (const char* shader : {"cloud", "checker", "plastic"}) {
+        const Scene scene = scene_of(model(shader, 9));
+        EXPECT_EQ(scene.names, std::vector<std::string>{"/all.g/box.r"}) << shader;
+        ASSERT_EQ(scene.lights.size(), 1U) << shader;
+        EXPECT_EQ(scene.lights[0].kind, "sky");
+    }
+    EXPECT_EQ(scene_of(model("cloud", 1.9)).names.size(), 2U) << "it is not around all else";
+    EXPECT_EQ(scene_of(model("glass", 9)).names.size(), 2U);
+    EXPECT_TRUE(scene_of(model("light", 9)).lights.empty());
 }
 
 TEST(Databases, ColoursComeFromCombinationsElseByNumber) {

@@ -48,6 +48,15 @@ TEST(Render, NeedsNoCommandNoOutputAndNoLight) {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"part.csg", "part.png"}));
 }
 
+TEST(Render, SaysThatAPictureIsBlack) {
+    const Folder folder;
+    const std::string lamp = "translate([0, 0, 9]) area_light([4, 4]); cube(2); ";
+    folder.write("lit.csg", lamp + "camera([9, 9, 20], look_at = [0, 0, 0]);");
+    folder.write("away.csg", lamp + "camera([9, 9, 20], look_at = [0, 0, 90]);");
+    EXPECT_EQ(folder.cardioid({"lit.csg", "-s", "8x8"}).err.find("black"), std::string::npos);
+    EXPECT_NE(folder.cardioid({"away.csg", "-s", "8x8"}).err.find("the picture is black"), std::string::npos);
+}
+
 TEST(Render, ReadsStandardInput) {
     const Folder folder;
     EXPECT_EQ(folder.cardioid({"-", "-s", "8", "--spp", "1"}, {.input = "cube(1);"}).status, 0);

@@ -34,6 +34,41 @@ Rgb colour_or(const ShaderText& shader, const char* key, Rgb fallback) {
     return {channel(0), channel(1), channel(2)};
 }
 
+/// Of a sky of clouds: half of it white, half the blue that the shader has between them.
+constexpr Rgb cloudy{0.4F, 0.4F, 0.7F};
+
+bool hollow_ball(const SolidTree& tree, std::uint32_t node) {
+    bool all = tree.nodes[node].op == SolidOp::subtract;
+    csg::for_each_leaf(tree, node, [&](const Leaf& leaf) { all = all && leaf.kind == LeafKind::sphere; });
+    return all;
+}
+
+/// Whether a region stands for the sky: of clouds or an opaque hollow ball, and around all others. Light would not get
+/// in, nor a look from outside.
+bool is_dome(const Scene& scene, const std::vector<Region>& regions, const Region& region) {
+    const std::string shader = parse_shader(region.look.shader).name;
+    const bool opaque_shell = shader != "glass" && shader != "light" && hollow_ball(scene.solids, region.node);
+    if (regions.size() < 2 || (shader != "cloud" && !opaque_shell)) return false;
+    const Box3d dome = box_of(scene.solids, region.node);
+    return std::all_of(regions.begin(), regions.end(), [&](const Region& other) {
+        const Box3d box = box_of(scene.solids, other.node);
+        return box.empty() || (dome.contains(box.lo) && dome.contains(box.hi));
+    });
+}
+
+Rgb sky_radiance(const RegionLook& look) {
+    const ShaderText shader = parse_shader(look.shader);
+    const bool clouds =
+        shader.name == "cloud" || std::find(shader.others.begin(), shader.others.end(), "cloud") != shader.others.end();
+    return clouds ? cloudy : colour_or(shader, "a", reflectance(look));
+}
+
+void add_sky(Scene& scene, const Region& region) {
+    LightSettings sky{.kind = "sky", .params = Params(region.path), .to_world = {}};
+    sky.params.set("radiance", sky_radiance(region.look));
+    scene.lights.push_back(std::move(sky));
+}
+
 /// Lamps of one brightness ratio as in the file; the brightest gives a white surface in the middle of the model the
 /// radiance 1 where it faces it.
 void set_lamps(Scene& scene, const std::vector<Region>& regions) {
@@ -121,11 +156,15 @@ MaterialSettings physical_material(const RegionLook& look, std::vector<std::stri
 }
 
 void finish_physical(Scene& scene, std::vector<Region>& regions) {
+    const auto dome = std::find_if(regions.begin(), regions.end(),
+                                   [&](const Region& region) { return is_dome(scene, regions, region); });
+    if (dome != regions.end()) {
+        add_sky(scene, *dome);
+        regions.erase(dome);
+    }
     std::erase_if(regions, [&](const Region& region) {
         if (parse_shader(region.look.shader).name != "envmap") return false;
-        LightSettings sky{.kind = "sky", .params = Params("envmap " + region.path), .to_world = {}};
-        sky.params.set("radiance", reflectance(region.look));
-        scene.lights.push_back(std::move(sky));
+        add_sky(scene, region);
         return true;
     });
     for (const Region& region : regions) {
