@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <unistd.h>
 
 #include "csg/compile.hpp"
 #include "csg/measure.hpp"
@@ -21,7 +22,7 @@ constexpr double pi_d = std::numbers::pi;
 /// A folder for the files of grids, gone at the end.
 class Folder {
 public:
-    Folder() : path_(std::filesystem::path(testing::TempDir()) / "cardioid_brlcad_grids") {
+    Folder() : path_(std::filesystem::path(testing::TempDir()) / fmt::format("cardioid_brlcad_grids_{}", getpid())) {
         std::filesystem::create_directories(path_);
     }
     ~Folder() { std::filesystem::remove_all(path_); }

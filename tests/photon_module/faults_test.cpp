@@ -49,7 +49,9 @@ TEST(PhotonFaults, OfAnAllMirrorSceneAreToldWithWhatToDo) {
 }
 
 TEST(PhotonFaults, OfAnOrdinarySceneAreNone) {
-    EXPECT_EQ(said(eye + lamp + "cube(10, center = true);", 0).find("warning"), std::string::npos);
+    EXPECT_EQ(
+        said("camera([0, -50, 40], look_at = [0, 0, 0]);\n" + lamp + "cube(10, center = true);", 0).find("warning"),
+        std::string::npos);
     EXPECT_EQ(said(lit_room, 0, {"--photons=3000"}).find("warning"), std::string::npos);
 }
 
