@@ -12,6 +12,7 @@
 
 #include "csg/shapes/mesh_edges.hpp"
 #include "csg/shapes/mesh_repair.hpp"
+#include "rt_core/math/box.hpp"
 
 namespace cardioid::csg {
 

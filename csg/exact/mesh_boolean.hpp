@@ -1,7 +1,8 @@
 #pragma once
 #include <span>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/solid_op.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

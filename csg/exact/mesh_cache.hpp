@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

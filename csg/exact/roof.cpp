@@ -10,6 +10,7 @@
 #include "csg/shapes/extrude.hpp"
 #include "csg/shapes/mesh_repair.hpp"
 #include "rt_core/api/error.hpp"
+#include "rt_core/math/box.hpp"
 
 namespace cardioid::csg {
 

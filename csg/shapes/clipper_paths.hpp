@@ -2,7 +2,7 @@
 #include <polyclipping/clipper.hpp>
 #include <span>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/profile.hpp"
 
 namespace cardioid::csg {
 

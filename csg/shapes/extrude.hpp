@@ -1,6 +1,7 @@
 #pragma once
 #include "csg/shapes/facets.hpp"
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/profile.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

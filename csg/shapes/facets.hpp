@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

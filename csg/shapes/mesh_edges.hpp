@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

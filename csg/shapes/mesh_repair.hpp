@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/profile.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "rt_core/scene/solid.hpp"
+#include "rt_core/scene/profile.hpp"
 
 namespace cardioid::csg {
 

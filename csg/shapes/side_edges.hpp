@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "csg/shapes/triangulate.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid::csg {
 

@@ -1,5 +1,9 @@
 #pragma once
-#include "rt_core/scene/solid.hpp"
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rt_core/scene/profile.hpp"
 
 namespace cardioid::csg {
 

@@ -1,27 +1,16 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "rt_core/math/affine.hpp"
+#include "rt_core/scene/profile.hpp"
+#include "rt_core/scene/solid_op.hpp"
+#include "rt_core/scene/triangle_mesh.hpp"
 
 namespace cardioid {
-
-/// A plane figure: closed contours, inside by the even-odd rule. Outer contours run counter-clockwise, holes clockwise.
-struct Profile {
-    std::vector<std::vector<Vec2d>> contours;
-    [[nodiscard]] bool empty() const { return contours.empty(); }
-};
-
-/// Triangles, counter-clockwise seen from outside.
-struct TriangleMesh {
-    std::vector<Vec3d> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    bool closed = false;  ///< every edge is shared by two triangles that run it in opposite directions
-};
 
 /// The shapes a ray meets. Each stands in its own local space; Leaf::to_world places it.
 enum class LeafKind : std::uint8_t {
@@ -70,13 +59,6 @@ struct Leaf {
     std::uint32_t data = 0;                ///< index into SolidTree::profiles, ::meshes or ::forms
     std::uint32_t material = no_material;  ///< index into Scene::materials
     std::uint32_t line = 0;                ///< of the scene file
-};
-
-enum class SolidOp : std::uint8_t {
-    leaf,       ///< `first` indexes SolidTree::leaves
-    unite,      ///< union of the children; empty without any
-    intersect,  ///< empty without any
-    subtract    ///< first child minus the rest; empty where the first is empty
 };
 
 /// A node; its children are SolidTree::children[first .. first + count).
