@@ -135,11 +135,11 @@ constexpr ParamSpec params[] = {
     {"cie", ParamType::number, "", "1 to 15: CIE standard general sky of that type; `radiance` is its zenith's"},
     {"elevation", ParamType::number, "60", "for `cie`: the sun's over the horizon [deg], 0 to 90; it stands over +x"}};
 
-CieSky cie_sky(const Params& params) {
-    const double type = params.number("cie", 5, 1, 15);
-    if (type != std::floor(type)) params.wrong("cie", "a whole number from 1 to 15");
-    if (params.has("file")) params.wrong("file", "left out where the sky is of a CIE type");
-    return {static_cast<int>(type), params.number("elevation", 60, 0, 90) * (std::numbers::pi / 180)};
+CieSky cie_sky(const Params& given) {
+    const double type = given.number("cie", 5, 1, 15);
+    if (type != std::floor(type)) given.wrong("cie", "a whole number from 1 to 15");
+    if (given.has("file")) given.wrong("file", "left out where the sky is of a CIE type");
+    return {static_cast<int>(type), given.number("elevation", 60, 0, 90) * (std::numbers::pi / 180)};
 }
 
 std::unique_ptr<Light> make(const LightInputs& in) {

@@ -6,7 +6,7 @@ namespace cardioid {
 namespace {
 
 TEST(SampleBlock, GivesTheNumbersOfSingleSamplersOnEveryProcessor) {
-    for (const SampleBlock::Fill fill : {fill_samples, SampleBlock::Fill{fill_samples_plain}}) {
+    for (const SampleBlock::Fill fill : {fill_samples(), SampleBlock::Fill{fill_samples_plain}}) {
         SampleBlock block(fill);
         for (const std::uint32_t first : {0U, 3U, 4'000'000'000U}) {
             block.begin(7, Purpose::camera, 123'456'789, first);

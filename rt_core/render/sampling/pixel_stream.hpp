@@ -1,12 +1,12 @@
 #pragma once
-#include "rt_core/render/sampling/fill_samples.hpp"
+#include "rt_core/math/fill_samples.hpp"
 
 namespace cardioid {
 
 /// The numbers of one pixel's pass, sample by sample: of one sequence, or half of each of two that are independent.
 class PixelStream {
 public:
-    PixelStream(std::uint32_t seed, bool two) : seed_(seed), two_(two), block_(fill_samples) {}
+    PixelStream(std::uint32_t seed, bool two) : seed_(seed), two_(two), block_(fill_samples()) {}
 
     /// Turns to a pass of `count` samples after `first`; both even where there are two sequences.
     void begin(std::uint64_t pixel, std::uint32_t first, std::uint32_t count) {
