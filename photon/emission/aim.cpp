@@ -132,6 +132,7 @@ std::vector<Try> try_out(const World& world, const PhotonOptions& options, std::
     parallel_for(static_cast<std::int64_t>(chunks), [&](std::int64_t c) {
         if (progress.interrupted()) return;
         PhotonPath path(world, {options.roulette, false}, {.keep = Keep::caustics});
+        PhotonStream numbers(seed, Pass::aim);
         const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
         auto batch = std::upper_bound(list.batches.begin(), list.batches.end(), first,
                                       [](std::uint64_t i, const Batch& b) { return i < b.first; }) -
@@ -139,11 +140,12 @@ std::vector<Try> try_out(const World& world, const PhotonOptions& options, std::
         for (std::uint64_t i = first; i < std::min(first + chunk_size, list.total); ++i) {
             if (i >= batch->first + batch->count) ++batch;
             Sampler sampler =
-                photon_sampler(seed, Pass::aim, batch->cell.light, 0, static_cast<std::uint32_t>(i - batch->first));
+                numbers.sampler(batch->cell.light, 0, static_cast<std::uint32_t>(i - batch->first), batch->count);
             const EmissionNumbers u = draw_emission(Directions::closed, sampler);
-            const LightEmission emission = world.lights()[batch->cell.light]->emit(u.place, u.direction);
+            const Light& light = *world.lights()[batch->cell.light];
+            const LightEmission emission = light.emit(u.place, u.direction);
             const std::uint64_t before = path.ledger.caustic_paths;
-            path.follow(emission.ray, emission.flux, sampler);
+            path.follow(light, emission.ray, emission.flux, sampler);
             path.photons.clear();
             tries[i] = {{u.place.x, u.place.y, u.direction.x, u.direction.y}, path.ledger.caustic_paths > before};
         }

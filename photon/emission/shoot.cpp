@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "photon/emission/batches.hpp"
+#include "photon/propagation/breadth.hpp"
 #include "rt_core/api/parallel.hpp"
 
 namespace cardioid::photon {
@@ -31,13 +32,15 @@ void run_chunk(const World& world, const PhotonOptions& options, const ShotReque
     const auto after = std::upper_bound(list.batches.begin(), list.batches.end(), first,
                                         [](std::uint64_t i, const Batch& batch) { return i < batch.first; });
     auto batch = after - 1;
+    PhotonStream numbers(request.seed, request.pass);
     for (std::uint64_t i = first; i < last; ++i) {
         if (i >= batch->first + batch->count) ++batch;
-        Sampler sampler = photon_sampler(request.seed, request.pass, batch->cell.light, batch->stratum,
-                                         static_cast<std::uint32_t>(i - batch->first));
+        Sampler sampler = numbers.sampler(batch->cell.light, batch->stratum,
+                                          static_cast<std::uint32_t>(i - batch->first), batch->count);
         const EmissionNumbers u = batch->cell.inside(draw_emission(options.directions, sampler));
-        const LightEmission emission = world.lights()[batch->cell.light]->emit(u.place, u.direction);
-        path.follow(emission.ray, emission.flux * batch->share, sampler);
+        const Light& light = *world.lights()[batch->cell.light];
+        const LightEmission emission = light.emit(u.place, u.direction);
+        path.follow(light, emission.ray, emission.flux * batch->share, sampler);
     }
 }
 
@@ -65,13 +68,14 @@ Shot shoot(const World& world, const PhotonOptions& options, const ShotRequest& 
     shot.origin = world.bounds().empty() ? Vec3d{} : world.bounds().centre();
     shot.flux_scale = flux_scale(shot.power, list.total);
 
+    const float least = least_breadth(world);
     std::vector<Chunk> chunks((list.total + chunk_size - 1) / chunk_size);
     std::atomic<std::uint64_t> done{0};
     parallel_for(static_cast<std::int64_t>(chunks.size()), [&](std::int64_t c) {
         if (progress.interrupted()) return;
         const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
         PhotonPath path(world, {options.roulette, options.rr_double_count},
-                        {request.keep, options.store, shot.origin, shot.flux_scale});
+                        {request.keep, options.store, shot.origin, shot.flux_scale, least});
         // Memory that is not written to costs nothing; growing would.
         path.photons.reserve(4 * chunk_size);
         run_chunk(world, options, request, list, first, std::min(first + chunk_size, list.total), path);

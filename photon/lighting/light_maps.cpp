@@ -22,15 +22,6 @@ LookupRule common_lookup(const PhotonOptions& options) {
     return rule;
 }
 
-/// The same for rays of gathers, which average its noise: few photons, and nothing done about edges.
-LookupRule quick(LookupRule rule) {
-    constexpr std::uint32_t enough = 20;
-    rule.k = std::min(rule.k, enough);
-    rule.spread = false;
-    if (rule.edge != EdgeRule::report) rule.edge = EdgeRule::none;
-    return rule;
-}
-
 /// Fewer photons than that may all be absorbed, or miss a model that they do light, by chance.
 constexpr std::uint64_t few_photons = 100;
 
@@ -182,6 +173,14 @@ private:
 };
 
 }  // namespace
+
+LookupRule quick(LookupRule rule) {
+    constexpr std::uint32_t enough = 20;
+    rule.k = std::min(rule.k, enough);
+    rule.spread = false;
+    if (rule.edge != EdgeRule::report) rule.edge = EdgeRule::none;
+    return rule;
+}
 
 void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMaps& maps) {
     maps.sizes = sizes;

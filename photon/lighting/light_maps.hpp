@@ -29,6 +29,9 @@ struct LightMaps {
 /// Sets how the maps are read.
 void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMaps& maps);
 
+/// The same rule for rays of gathers, which average its noise: few photons, and nothing done about edges.
+[[nodiscard]] LookupRule quick(LookupRule rule);
+
 /// Shoots the photons of a plan and makes what `options.indirect` reads. Throws Error. Warns of what is wrong with the
 /// scene; stops early when interrupted, the maps are then of no use.
 /// `eye` null: there is no picture.

@@ -45,6 +45,9 @@ void PhotonModule::make_maps(const World& world, const Eye* eye, Progress& progr
 
 void PhotonModule::look_up_from(const World& world, const Eye* eye, const Tuning& tuning, Progress& progress) {
     incoming_.emplace(make_incoming(world, maps_, eye == nullptr));
+    glossy_caustics_.reset();
+    if (maps_.caustics && options_.mode == Mode::physical)
+        glossy_caustics_.emplace(world, *maps_.caustics, maps_.caustic_lookup, quick(maps_.caustic_lookup));
     if (!eye) return;
     caches_ = fill_eye_caches(world, *eye, options_, maps_, *incoming_, tuning, seed_, progress);
     shown_.emplace(world, *eye, options_, maps_, tuning.hemisphere, seed_);
@@ -83,8 +86,9 @@ Rgb PhotonModule::indirect(const World& world, const SurfacePoint& point, const 
 }
 
 Rgb PhotonModule::caustic(const World& world, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
-                          Sampler&) const noexcept {
+                          Sampler& sampler) const noexcept {
     if (!maps_.caustics) return {};
+    if (glossy_caustics_ && !is_diffuse_alone(bsdf)) return glossy_caustics_->radiance(point, bsdf, wo, sampler);
     const Vec3 local = point.frame.to_local(wo);
     if (caches_.caustic && is_diffuse_alone(bsdf))
         if (const auto E = caches_.caustic->irradiance(point.p, shading_normal(point, wo)))

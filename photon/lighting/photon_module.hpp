@@ -2,6 +2,7 @@
 #include <atomic>
 #include <memory>
 
+#include "photon/gather/glossy_caustics.hpp"
 #include "photon/lighting/eye_caches.hpp"
 #include "photon/lighting/shown_place.hpp"
 
@@ -38,6 +39,7 @@ private:
     std::uint64_t scene_ = 0;  ///< World::hash()
     LightMaps maps_;
     std::optional<IncomingLight> incoming_;
+    std::optional<GlossyCaustics> glossy_caustics_;
     EyeCaches caches_;
     std::optional<ShownPlace> shown_;
     std::vector<Statistic> times_;  ///< of the phases of prepare() or load()

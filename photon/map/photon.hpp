@@ -7,7 +7,7 @@
 namespace cardioid::photon {
 
 /// How a photon came to its surface, a set of bits (ARL-TR-3608, equation 1, by the paths of its terms).
-enum class Way : std::uint16_t {
+enum class Way : std::uint8_t {
     direct = 0,    ///< straight from the lamp
     specular = 1,  ///< met mirrors or glass
     glossy = 2,    ///< met a lobe of finite width
@@ -15,6 +15,9 @@ enum class Way : std::uint16_t {
 };
 constexpr Way operator|(Way a, Way b) { return static_cast<Way>(static_cast<int>(a) | static_cast<int>(b)); }
 constexpr bool has(Way set, Way bit) { return (static_cast<int>(set) & static_cast<int>(bit)) != 0; }
+
+/// From how many directions its light comes to a place: a solid angle, encode_breadth().
+enum class Breadth : std::uint8_t { none = 0 };
 
 /// A unit vector in 32 bits: octahedral, 16 bits a coordinate, rounded; mean error 0.0013 degrees.
 /// (Meyer et al. 2010, "On floating-point normal vectors".)
@@ -45,6 +48,7 @@ struct Photon {
     std::uint32_t n;       ///< encode_direction: geometric normal on the side that it fell on
     std::uint32_t region;  ///< SurfacePoint::id.region
     Way way;
+    Breadth breadth;     ///< of photons of mirrors, glass and glossy lobes alone
     std::uint16_t time;  ///< within the shutter, 0 to 65535
 };
 static_assert(sizeof(Photon) == 32);
@@ -53,10 +57,11 @@ static_assert(sizeof(Photon) == 32);
 struct PhotonPayload {
     std::uint32_t flux, wi;
     Way way;
+    Breadth breadth;
     std::uint16_t time;
 };
 [[nodiscard]] constexpr PhotonPayload payload_of(const Photon& photon) noexcept {
-    return {photon.flux, photon.wi, photon.way, photon.time};
+    return {photon.flux, photon.wi, photon.way, photon.breadth, photon.time};
 }
 
 }  // namespace cardioid::photon

@@ -146,7 +146,8 @@ std::vector<Photon> PhotonMap::photons() const {
     std::vector<Photon> all(size());
     for (std::uint32_t i = 0; i < size(); ++i) {
         const PhotonPayload& light = tree_.payload(i);
-        all[i] = {tree_.position(i), light.flux, light.wi, tree_.normal(i), tree_.region(i), light.way, light.time};
+        all[i] = {tree_.position(i), light.flux, light.wi,      tree_.normal(i),
+                  tree_.region(i),   light.way,  light.breadth, light.time};
     }
     return all;
 }

@@ -19,8 +19,16 @@ namespace cardioid::photon {
 /// the two rows before have it. So an S or a G between x and the last D is traced, every D is looked up.
 ///
 /// The global map holds photons of all classes, so that it answers both "everything that falls here" (gather) and, by
-/// class, each row alone. The caustic map is shot by itself and holds its one class; caustic photons of the global map
-/// are not added to it.
+/// class, each row alone. Of the row `caustic` the map has all that leaves x by diffuse lobes. What leaves it by glossy
+/// ones is divided between photons and rays drawn from these lobes, by shares that add up to 1 (breadth.hpp): with S+
+/// at least one S, b(l) the solid angle under which lamp l is seen, b(y) that of the lobe of a glossy place y, and
+/// w = traced_share(density of x's lobe, b),
+///
+///     path            photons      rays (GlossyCaustics)
+///     L S+ x          1 - w(b(L))  w(b(L)): the ray meets the lamp
+///     L X* G(y) S* x  1 - w(b(y))  w(b(y)) times all that y sends: World::direct there, and both columns for y as x
+///
+/// The caustic map is shot by itself and holds its one class; caustic photons of the global map are not added to it.
 enum class PathClass : std::uint8_t { direct, caustic, indirect };
 inline constexpr int path_classes = 3;
 

@@ -1,5 +1,7 @@
 #include "photon/propagation/photon_path.hpp"
 
+#include "photon/propagation/breadth.hpp"
+
 namespace cardioid::photon {
 
 namespace {
@@ -18,12 +20,17 @@ Way way_of(Lobe lobe) {
 struct PhotonPath::Leg {
     Ray ray;
     Rgb flux;
+    const Light& light;
+    bool has_face;  ///< it left a face of its lamp
     Way way = Way::direct;
+    FirstMirror first;
+    Breadth lobe = Breadth::none;  ///< of the glossy surface that it met last
+    double length = 0;             ///< of its way from the lamp
     int bounces = 0;
     bool caustic = false;  ///< has left a caustic photon
 };
 
-void PhotonPath::follow(Ray ray, Rgb flux, Sampler& sampler) {
+void PhotonPath::follow(const Light& light, Ray ray, Rgb flux, Sampler& sampler) {
     ++ledger.paths;
     if (!is_finite(flux)) {
         ++ledger.not_finite;
@@ -31,7 +38,7 @@ void PhotonPath::follow(Ray ray, Rgb flux, Sampler& sampler) {
     }
     if (!(max_component(flux) > 0)) return;
     ledger.emitted += flux;
-    Leg leg{ray, flux};
+    Leg leg{ray, flux, light, ray.from.region != FaceId::none};
     while (step(leg, sampler)) {
         if (++leg.bounces < most_bounces) continue;
         ++ledger.cut;
@@ -49,6 +56,7 @@ bool PhotonPath::step(Leg& leg, Sampler& sampler) {
         ledger.escaped += leg.flux;
         return false;
     }
+    leg.length += hit.t;
     const SurfacePoint point = world_.surface(leg.ray, hit);
     const Vec3 wo(-leg.ray.d);
     // The side it arrives on tells what it came through, without a record of what it entered and left.
@@ -90,12 +98,26 @@ bool PhotonPath::bounce(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, S
     if (ends) return false;
     ledger.absorbed -= next.flux;
     leg.flux = next.flux;
-    if (!next.straight) leg.way = leg.way | way_of(next.lobe);
+    if (!next.straight) turn(leg, point, bsdf, next);
     // A filter does not bend the ray at all: rounding must not either.
     const Vec3d unbent = leg.ray.d;
     leg.ray = point.ray(point.frame.to_world(next.wi));
     if (next.straight) leg.ray.d = unbent;
     return true;
+}
+
+/// Notes what bends its way.
+void PhotonPath::turn(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, const Scattered& next) const {
+    const Way how = way_of(next.lobe);
+    if (leg.way == Way::direct) leg.first = {point.p, Vec3(-leg.ray.d), leg.length};
+    if (how == Way::glossy) leg.lobe = lobe_breadth(bsdf, next.wi, store_.least_breadth);
+    leg.way = leg.way | how;
+}
+
+/// Of light that came by mirrors, glass and glossy lobes.
+Breadth PhotonPath::breadth(const Leg& leg) {
+    if (has(leg.way, Way::glossy)) return leg.lobe;
+    return photon_breadth(leg.light, leg.has_face, leg.first, leg.length);
 }
 
 void PhotonPath::keep(Leg& leg, const SurfacePoint& point) {
@@ -109,7 +131,8 @@ void PhotonPath::keep(Leg& leg, const SurfacePoint& point) {
     const Vec3 n = dot(point.ng, wi) < 0 ? -point.ng : point.ng;
     const Vec3 p(point.p - store_.origin);
     photons.push_back({p, encode_flux(leg.flux, store_.scale, flux_dither(p)), encode_direction(wi),
-                       encode_direction(n), point.id.region, leg.way, 0});
+                       encode_direction(n), point.id.region, leg.way,
+                       kind == PathClass::caustic ? breadth(leg) : Breadth::none, 0});
 }
 
 }  // namespace cardioid::photon

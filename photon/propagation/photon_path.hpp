@@ -17,8 +17,9 @@ enum class Keep : std::uint8_t {
 struct StoreRule {
     Keep keep = Keep::everything;
     Store which = Store::all;
-    Vec3d origin;     ///< positions are relative to it
-    float scale = 1;  ///< of encode_flux
+    Vec3d origin;             ///< positions are relative to it
+    float scale = 1;          ///< of encode_flux
+    float least_breadth = 0;  ///< of what glossy lobes pass on [sr]
 };
 
 /// Follows photons from surface to surface, keeps those that fall on a surface with lobes of finite width, and accounts
@@ -28,8 +29,9 @@ public:
     PhotonPath(const World& world, RouletteRule rule, const StoreRule& store)
         : world_(world), rule_(rule), store_(store) {}
 
-    /// Follows one photon of `flux` [W] along `ray` until the roulette ends it. Throws std::bad_alloc only.
-    void follow(Ray ray, Rgb flux, Sampler& sampler);
+    /// Follows one photon of `light`, of `flux` [W] along `ray`, until the roulette ends it. Throws std::bad_alloc
+    /// only.
+    void follow(const Light& light, Ray ray, Rgb flux, Sampler& sampler);
 
     std::vector<Photon> photons;
     Ledger ledger;
@@ -39,6 +41,8 @@ private:
     [[nodiscard]] bool step(Leg& leg, Sampler& sampler);
     [[nodiscard]] bool bounce(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, Sampler& sampler);
     void keep(Leg& leg, const SurfacePoint& point);
+    [[nodiscard]] static Breadth breadth(const Leg& leg);
+    void turn(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, const Scattered& next) const;
 
     const World& world_;
     RouletteRule rule_;

@@ -12,13 +12,6 @@ float chance(const RouletteRule& rule, Rgb weight, Rgb flux) {
     return max_component(weight * flux) / max_component(flux);
 }
 
-/// Whether the sample went through a thin film, which World::direct looks through as well.
-bool passes_filter(const ScatterQuery& q, const BsdfSample& s) {
-    if (!any(s.lobe & Lobe::transmitted) || !s.is_delta() || !(s.wi == -q.wo)) return false;
-    const Shader& shader = *q.world.materials()[q.point.material].shader;
-    return shader.filters() && !is_black(shader.straight_transmittance(q.point, q.wo));
-}
-
 /// What turns a Bsdf's weight, which is for radiance along wo, into that of flux that came from wo.
 float to_flux(const ScatterQuery& q, const BsdfSample& s, bool straight) {
     float factor = 1;
@@ -37,6 +30,12 @@ float to_flux(const ScatterQuery& q, const BsdfSample& s, bool straight) {
 
 }  // namespace
 
+bool passes_filter(const World& world, const SurfacePoint& point, Vec3 wo, const BsdfSample& s) noexcept {
+    if (!any(s.lobe & Lobe::transmitted) || !s.is_delta() || !(s.wi == -wo)) return false;
+    const Shader& shader = *world.materials()[point.material].shader;
+    return shader.filters() && !is_black(shader.straight_transmittance(point, wo));
+}
+
 Scattered scatter(const ScatterQuery& q, Vec2 u, Vec2 u_direction) noexcept {
     Lobe which = q.bsdf.lobes() & q.which;
     if (!any(which & (Lobe::diffuse | shiny))) return {};
@@ -54,7 +53,7 @@ Scattered scatter(const ScatterQuery& q, Vec2 u, Vec2 u_direction) noexcept {
     }
     const BsdfSample s = q.bsdf.sample(q.wo, u_lobe, u_direction, which);
     if (is_black(s.weight)) return {};
-    const bool straight = passes_filter(q, s);
+    const bool straight = passes_filter(q.world, q.point, q.wo, s);
     const Rgb weight = s.weight * (to_flux(q, s, straight) / chosen);
     const float survival = std::min(1.0F, chance(q.rule, weight, q.flux));
     // A weight that is not a number goes on and is counted by the caller.

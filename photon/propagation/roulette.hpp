@@ -37,6 +37,9 @@ struct ScatterQuery {
 };
 [[nodiscard]] Scattered scatter(const ScatterQuery& query, Vec2 u, Vec2 u_direction) noexcept;
 
+/// Whether a sample towards wo (local) went through a thin film, which World::direct looks through as well.
+[[nodiscard]] bool passes_filter(const World& world, const SurfacePoint& point, Vec3 wo, const BsdfSample& s) noexcept;
+
 /// Flux after a length of an absorbing medium; the roulette keeps its largest channel. u in [0, 1).
 [[nodiscard]] Rgb pass_medium(const Medium& medium, double length, Rgb flux, float u) noexcept;
 

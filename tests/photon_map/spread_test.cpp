@@ -125,7 +125,7 @@ TEST(Spread, WhereDiscsComeToBeTheWidestIsNotDark) {
 
 TEST(Spread, OfPhotonsAtOnePlaceIsFinite) {
     for (const std::size_t count : {1U, 2U, 100U}) {
-        std::vector<Photon> photons(count, {{1, 2, 3}, encode_flux(Rgb(1), 1), 0, encode_direction(up), 0, {}, 0});
+        std::vector<Photon> photons(count, {{1, 2, 3}, encode_flux(Rgb(1), 1), 0, encode_direction(up), 0, {}, {}, 0});
         PhotonMap map(photons, {}, 1);
         map.spread(rule_of(50));
         const SurfacePoint there = point_at({1, 2, 3}, up), elsewhere = point_at({2, 2, 3}, up);
