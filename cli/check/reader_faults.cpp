@@ -14,10 +14,12 @@ namespace {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-/// What stands in for something that this machine or this program has not got: nothing is wrong with the model.
+/// What stands in for something that this machine or this program has not got, or is left over from building the model:
+/// nothing is wrong with it.
 bool is_substitute(const std::string& warning) {
-    constexpr std::array<std::string_view, 5> said{"drawn as", "in its place", "is left out", ": shader \"",
-                                                   "Viewall and autocenter"};
+    constexpr std::array<std::string_view, 6> said{
+        "drawn as",    "in its place",           "is left out",
+        ": shader \"", "Viewall and autocenter", ": in no combination and left out;"};
     return std::any_of(said.begin(), said.end(), [&](std::string_view part) { return has(warning, part); });
 }
 

@@ -154,5 +154,27 @@ TEST(ViewScripts, RotationsQuaternionsAndAnglesAreTheSameView) {
     EXPECT_EQ(scene.cameras[0].projection, CameraSettings::Projection::orthographic);
 }
 
+TEST(ViewScripts, OfSeveralPicturesTheFirstIsDrawnWithAWarning) {
+    using namespace brlcad;
+    const std::string one = "viewsize 10; eye_pt 1 2 3; start 0; end;";
+    EXPECT_TRUE(read_view(one, "v.rt").warnings.empty());
+    EXPECT_TRUE(read_view(one + " # start 1; end;\n", "v.rt").warnings.empty());
+    const View view = read_view(one + "start 1; viewsize 20; end; start 2; end;", "v.rt");
+    EXPECT_EQ(view.size, 10);
+    ASSERT_EQ(view.warnings.size(), 1U);
+    EXPECT_EQ(view.warnings[0], "v.rt: the first of 3 pictures is drawn");
+}
+
+TEST(ViewScripts, AViewWithoutAnEyeIsLeftOutWithAWarning) {
+    using namespace brlcad;
+    Scene scene;
+    apply_view(read_view("set width=64 height=48;", "v.rt"), scene);
+    EXPECT_TRUE(scene.warnings.empty());
+    apply_view(read_view("ae 35 25; end;", "v.rt"), scene);
+    EXPECT_TRUE(scene.cameras.empty());
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_NE(scene.warnings[0].find("no eye_pt"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace cardioid::formats

@@ -48,6 +48,19 @@ TEST(Check, FindsEachFaultAndEndsWithOne) {
     }
 }
 
+TEST(Check, NotesSolidsInNoCombinationWithoutCallingThemAFault) {
+    const Folder folder;
+    folder.write("m.asc",
+                 "title {spare}\nunits mm\nput {ball.s} ell V {0 0 0} A {2 0 0} B {0 2 0} C {0 0 2}\n"
+                 "put {spare.s} ell V {9 0 0} A {2 0 0} B {0 2 0} C {0 0 2}\n"
+                 "put {ball.r} comb region yes tree {l {ball.s}}\n");
+    const Outcome run = folder.call({"check", "m.asc"});
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("note: m.asc: in no combination and left out; name them to draw them: spare.s"),
+              std::string::npos)
+        << run.out;
+}
+
 TEST(Check, FindsNothingInSoundScenes) {
     const Folder folder;
     for (const char* const scene :

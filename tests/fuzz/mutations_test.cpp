@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/brlcad/brlcad_format.hpp"
+#include "formats/brlcad/view/view_script.hpp"
 #include "formats/openscad/openscad_format.hpp"
 #include "rt_core/plugin/registry.hpp"
 #include "rt_core/scene/scene.hpp"
@@ -27,6 +28,23 @@ TEST(DamagedFiles, OfSolidsWithCountsAreReadOrRefused) {
     unsigned seed = 5;
     for (const std::string& sample : {test::counted_solids(), test::counted_solids_v4(), test::counted_solids_v5()}) {
         EXPECT_GE(read(sample), 5U);
+        survive(sample, seed++, [&](const std::string& text) { static_cast<void>(read(text)); });
+    }
+}
+
+TEST(DamagedFiles, OfViewScriptsAreReadOrRefused) {
+    const auto read = [](const std::string& text) {
+        Scene scene;
+        brlcad::apply_view(brlcad::read_view(text, "view.rt"), scene);
+        return scene.cameras.size();
+    };
+    unsigned seed = 8;
+    for (const char* const sample :
+         {"viewsize 10; # across\neye_pt 1 2 3; lookat_pt 0 0 0; set perspective=40 width=64; opt -s 32 -p60;\n"
+          "start 0; clean; end;\nstart 1; ae 35 25; end;\n",
+          "viewsize 10;\neye_pt 1 2 3;\nviewrot 0 1 0 0 0 0 1 0 1 0 0 0 0 0 0 1;\norientation 0 0 .6 .8;\nend;\n",
+          "10\n1 2 3\n0 1 0 0\n0 0 1 0\n1 0 0 0\n0 0 0 1\n"}) {
+        EXPECT_EQ(read(sample), 1U);
         survive(sample, seed++, [&](const std::string& text) { static_cast<void>(read(text)); });
     }
 }

@@ -26,6 +26,7 @@ public:
     View run() {
         if (old_form()) return std::move(view_);
         while (!ended_ && next_command()) command();
+        warn_of_further_pictures();
         return std::move(view_);
     }
 
@@ -171,6 +172,13 @@ private:
                 fmt::format("{}: \"{}\" is left out: one picture is drawn, of the objects named for it", file_, name));
     }
 
+    void warn_of_further_pictures() {
+        std::size_t pictures = ended_ ? 1 : 0;
+        while (next_command()) pictures += words_[0].text == "end";
+        if (pictures > 1)
+            view_.warnings.push_back(fmt::format("{}: the first of {} pictures is drawn", file_, pictures));
+    }
+
     const std::string& text_;
     const std::string& file_;
     std::vector<Word> words_;
@@ -195,7 +203,12 @@ void apply_view(const View& view, Scene& scene) {
     if (view.height) scene.film.height = view.height;
     if (scene.film.width.has_value() != scene.film.height.has_value())
         scene.film.width = scene.film.height = scene.film.width.value_or(scene.film.height.value_or(512));
-    if (!view.eye) return;
+    if (!view.eye) {
+        if (view.size || view.axes || view.look_at || view.perspective_deg > 0)
+            scene.warnings.push_back(fmt::format(
+                "{}: the view script has no eye_pt, and its view is left out: the camera is fitted", scene.file));
+        return;
+    }
     CameraSettings camera;
     camera.name = "view";
     camera.eye = *view.eye;

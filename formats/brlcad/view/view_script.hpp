@@ -17,11 +17,13 @@ struct View {
 };
 
 /// Reads `viewsize 100; eye_pt 1 2 3; ... end;` or the old form, sixteen and four bare numbers. What follows the first
-/// `end` is left out, commands that mean nothing to one still picture are passed over. Throws Error(bad_input) with
+/// `end` is left out, with a warning where it holds further pictures; commands that mean nothing to one still picture
+/// are passed over. Throws Error(bad_input) with
 /// file:line:column.
 View read_view(const std::string& text, const std::string& file);
 
-/// Puts the view's camera before those of the scene, and its size into the film.
+/// Puts the view's camera before those of the scene, and its size into the film. A view without an eye gives no camera,
+/// and a warning where it says how to look.
 void apply_view(const View& view, Scene& scene);
 
 /// Axes of a view from azimuth and elevation [degrees].
