@@ -7,6 +7,7 @@
 #include "cli/io/text_output.hpp"
 #include "cli/options/values.hpp"
 #include "cli/terminal/console.hpp"
+#include "cli/terminal/interrupt.hpp"
 
 namespace cardioid::cli {
 namespace {
@@ -76,8 +77,10 @@ int run_convert(const std::vector<std::string>& words) {
     if (!format.read) complete_scene(scene, *registry);
     std::vector<std::string> notes = scene.warnings;
     write.notes = &notes;
+    Console console(Loudness::normal, progress_style("auto", Loudness::normal));
+    write.progress = &console;
+    catch_interrupts();  // nothing is written before all of it is there
     const std::string text = format.write(scene, write);
-    Console console(Loudness::normal, ProgressStyle::none);
     for (const std::string& note : notes) console.warn(note);
     write_text(output, text);
     return 0;

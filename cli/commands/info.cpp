@@ -10,6 +10,7 @@
 #include "cli/io/scene_input.hpp"
 #include "cli/io/text_output.hpp"
 #include "cli/terminal/console.hpp"
+#include "cli/terminal/interrupt.hpp"
 #include "csg/compile.hpp"
 #include "csg/measure.hpp"
 #include "csg/measure_area.hpp"
@@ -61,9 +62,9 @@ void add_area(const Region& whole, Json& json) {
     json["area_standard_error"] = estimate.sigma;
 }
 
-/// Volume and surface of the exact mesh, which has no error but that of its chords.
-void add_mesh_figures(const Scene& scene, Json& json) {
-    const TriangleMesh mesh = std::move(formats::scene_meshes(scene, {.one = true})[0].mesh);
+/// Volume and surface of the exact mesh, which has no error but that of its chords; or why there is none. True for one.
+bool add_mesh_figures(const Scene& scene, Json& json, Progress& progress) try {
+    const TriangleMesh mesh = std::move(formats::scene_meshes(scene, {.one = true, .progress = &progress})[0].mesh);
     double area = 0;
     for (const auto& [a, b, c] : mesh.triangles)
         area += length(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a])) / 2;
@@ -71,6 +72,11 @@ void add_mesh_figures(const Scene& scene, Json& json) {
     json["mesh_area"] = area;
     json["mesh_triangles"] = mesh.triangles.size();
     json["mesh_closed"] = mesh.closed;
+    return true;
+} catch (const Error& e) {
+    if (e.code() == ErrorCode::interrupted) throw;
+    json["mesh_refused"] = e.what();
+    return false;
 }
 
 Json leaves_json(const SolidTree& tree) {
@@ -90,7 +96,7 @@ Json names_json(const Scene& scene) {
     return {{"materials", materials}, {"lights", lights}, {"cameras", cameras}};
 }
 
-Json scene_json(const Scene& scene, const Wishes& wishes) {
+Json scene_json(const Scene& scene, Wishes wishes, Progress& progress) {
     std::size_t triangles = 0;
     bool closed = true;
     for (const auto& mesh : scene.solids.meshes) triangles += mesh->triangles.size(), closed = closed && mesh->closed;
@@ -99,6 +105,9 @@ Json scene_json(const Scene& scene, const Wishes& wishes) {
               {"leaves", leaves_json(scene.solids)},
               {"triangles", triangles},
               {"meshes_closed", closed}};
+    Json mesh = Json::object();
+    // Rays tell the area, too, where no mesh does.
+    if (wishes.mesh && !add_mesh_figures(scene, mesh, progress)) wishes.area = true;
     csg::VolumeEstimate volume;
     if (const auto whole = csg::compile_whole(scene.solids, scene.six_digits)) {
         const Box3d all = whole->bounds(), box = all.bounded() ? all : bounded_box(csg::compile(scene, {}));
@@ -106,7 +115,7 @@ Json scene_json(const Scene& scene, const Wishes& wishes) {
         volume = measure(*whole);
         if (wishes.area) add_area(*whole, json);
     }
-    if (wishes.mesh) add_mesh_figures(scene, json);
+    json.update(mesh);
     json["volume"] = number(volume.volume);
     json["volume_standard_error"] = volume.bounded() ? number(volume.sigma) : Json(nullptr);
     json.update(names_json(scene));
@@ -146,6 +155,9 @@ std::string geometry_text(const Json& json) {
         text += json["area"].is_null() ? "area: unbounded\n"
                                        : fmt::format("area: {:.8g} +- {:.2g}\n", json["area"].get<double>(),
                                                      json["area_standard_error"].get<double>());
+    if (json.contains("mesh_refused"))
+        text += fmt::format("exact mesh: none, volume and area are those by rays: {}\n",
+                            json["mesh_refused"].get<std::string>());
     if (json.contains("mesh_volume"))
         text += fmt::format("exact mesh: volume {:.10g}, area {:.10g}, {} triangles{}\n",
                             json["mesh_volume"].get<double>(), json["mesh_area"].get<double>(),
@@ -211,9 +223,10 @@ Report report_on(const SceneOptions& options, const Wishes& wishes) {
     if (!find_reader(options.file, content, *registry))
         if (std::optional<Json> image = try_image(options.file)) return {*image, image_text(*image)};
     const Scene scene = read_scene(options, content, *registry);
-    Console console(Loudness::normal, ProgressStyle::none);
+    Console console(Loudness::normal, progress_style("auto", Loudness::normal));
     for (const std::string& warning : scene.warnings) console.warn(warning);
-    Json json = scene_json(scene, wishes);
+    if (wishes.mesh) catch_interrupts();
+    Json json = scene_json(scene, wishes, console);
     return {json, scene_text(json)};
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "csg/exact/mesh_boolean.hpp"
+#include "csg/exact/boolean/boolean_plan.hpp"
+#include "csg/exact/boolean/run_plan.hpp"
+#include "csg/exact/mesh_cache.hpp"
 #include "csg/exact/tessellate.hpp"
 #include "csg/exact/walk.hpp"
 #include "csg/shapes/mesh_repair.hpp"
@@ -47,6 +49,18 @@ TriangleMesh thick_plate(const Affine& half_space, const Box3d& reach) {
     return tessellate({}, Leaf{.kind = LeafKind::box, .to_world = half_space * map}, 0);
 }
 
+/// What the result depends on.
+ContentHash key_of(const std::vector<PlannedBoolean>& plan, const std::vector<TriangleMesh>& leaves) {
+    ContentHash key;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        key.add(static_cast<std::uint64_t>(plan[i].op));
+        key.add(static_cast<std::uint64_t>(plan[i].parts.size()));
+        for (const std::uint32_t part : plan[i].parts) key.add(std::uint64_t{part});
+        key.add(leaves[i]);
+    }
+    return key;
+}
+
 TriangleMesh leaf_mesh(const SolidTree& tree, const Leaf& leaf, const Box3d& reach, double tolerance) {
     return leaf.kind == LeafKind::half_space ? thick_plate(leaf.to_world, reach) : tessellate(tree, leaf, tolerance);
 }
@@ -72,22 +86,16 @@ TriangleMesh evaluate_leaf(const SolidTree& tree, std::uint32_t leaf, std::uint3
     return leaf_mesh(tree, tree.leaves[tree.nodes[leaf].first], reach_of(tree, node), tolerance);
 }
 
-TriangleMesh evaluate_mesh(const SolidTree& tree, std::uint32_t node, double tolerance) {
+TriangleMesh evaluate_mesh(const SolidTree& tree, std::uint32_t node, double tolerance, Progress* progress) {
     if (!is_bounded(tree, node)) throw Error(ErrorCode::bad_input, "a solid without an end has no mesh");
     const Box3d reach = reach_of(tree, node);
-    std::map<std::uint32_t, TriangleMesh> done;
-    for (const std::uint32_t index : nodes_below(tree, node)) {
-        const SolidNode& at = tree.nodes[index];
-        if (at.op == SolidOp::leaf) {
-            done.emplace(index, leaf_mesh(tree, tree.leaves[at.first], reach, tolerance));
-            continue;
-        }
-        std::vector<TriangleMesh> parts;
-        for (std::uint32_t c = 0; c < at.count; ++c) parts.push_back(std::move(done[tree.children[at.first + c]]));
-        for (std::uint32_t c = 0; c < at.count; ++c) done.erase(tree.children[at.first + c]);
-        done.emplace(index, mesh_boolean(at.op, std::move(parts)));
-    }
-    return std::move(done[node]);
+    const std::vector<PlannedBoolean> plan = plan_booleans(tree, node);
+    std::vector<TriangleMesh> leaves(plan.size());
+    for (std::size_t i = 0; i < plan.size(); ++i)
+        if (plan[i].op == SolidOp::leaf) leaves[i] = leaf_mesh(tree, tree.leaves[plan[i].leaf], reach, tolerance);
+    if (plan.back().op == SolidOp::leaf) return std::move(leaves.back());
+    const auto make = [&] { return std::vector{run_plan(plan, leaves, progress)}; };
+    return std::move(cached(key_of(plan, leaves), make)[0]);
 }
 
 std::vector<Vec3d> spanning_points(const SolidTree& tree, std::uint32_t node, double tolerance) {

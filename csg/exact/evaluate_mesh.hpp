@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "rt_core/api/progress.hpp"
 #include "rt_core/math/box.hpp"
 #include "rt_core/scene/solid.hpp"
 
@@ -8,8 +9,9 @@ namespace cardioid::csg {
 
 /// The solid below a node as one closed mesh, by exact booleans over its leaves, whose curves are kept within
 /// `tolerance` [scene units]. Empty where nothing is left of it. Throws Error(bad_input) where the solid has no end or
-/// a mesh is open.
-TriangleMesh evaluate_mesh(const SolidTree& tree, std::uint32_t node, double tolerance);
+/// a mesh is open, Error(interrupted) soon after progress->interrupted(). Booleans that do not need each other run in
+/// parallel; the result is the same for any number of threads.
+TriangleMesh evaluate_mesh(const SolidTree& tree, std::uint32_t node, double tolerance, Progress* progress = nullptr);
 
 /// The leaf at `leaf`, which stands below `node`, as a closed mesh: a half space as a box that is large enough there.
 TriangleMesh evaluate_leaf(const SolidTree& tree, std::uint32_t leaf, std::uint32_t node, double tolerance);

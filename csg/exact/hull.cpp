@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <variant>
 
 #include "csg/shapes/mesh_edges.hpp"
 #include "csg/shapes/mesh_repair.hpp"
@@ -169,7 +170,9 @@ private:
 
     [[nodiscard]] Exact::Point_3 meeting(std::size_t a, std::size_t b, std::size_t c) const {
         const auto met = CGAL::intersection(planes_[a], planes_[b], planes_[c]);
-        return boost::get<Exact::Point_3>(*met);
+        using boost::get;  // of what CGAL 5 gives
+        using std::get;    // and CGAL 6
+        return get<Exact::Point_3>(*met);
     }
 
     std::vector<Exact::Point_3> corners_;

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changed whenever the same input may give another mesh.
-constexpr std::uint64_t format_number = 3;
+constexpr std::uint64_t format_number = 4;
 constexpr std::uintmax_t most_bytes = std::uintmax_t{256} << 20;
 
 /// The folder, or nothing where there is no place for one.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "csg/exact/evaluate_mesh.hpp"
 #include "csg/exact/walk.hpp"
+#include "csg/shapes/clipper_paths.hpp"
 #include "csg/shapes/profile_boolean.hpp"
 #include "csg/shapes/profile_offset.hpp"
 
@@ -81,12 +83,27 @@ Profile section_beside(const SolidTree& tree, std::uint32_t node, double toleran
     return std::move(done[node]);
 }
 
+/// Without contours thinner than the grid: what snapping two edges that almost coincide leaves between them.
+Profile without_slivers(Profile profile, double grid) {
+    const double step = usable_grid(std::array{profile}, grid);
+    std::erase_if(profile.contours, [&](const std::vector<Vec2d>& contour) {
+        double twice_area = 0, around = 0;
+        for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
+            const Vec2d a = contour[j] - contour[0], b = contour[i] - contour[0], side = b - a;
+            twice_area += a.x * b.y - a.y * b.x;
+            around += std::hypot(side.x, side.y);
+        }
+        return std::abs(twice_area) <= around * step;  // the mean width of a strip is twice its area by its outline
+    });
+    return profile;
+}
+
 }  // namespace
 
 Profile section(const SolidTree& tree, std::uint32_t node, double tolerance, double grid) {
     const std::array sides{section_beside(tree, node, tolerance, grid, true),
                            section_beside(tree, node, tolerance, grid, false)};
-    return profile_boolean(ProfileOp::unite, sides, grid);
+    return without_slivers(profile_boolean(ProfileOp::unite, sides, grid), grid);
 }
 
 Profile shadow(const TriangleMesh& mesh, double grid) {
@@ -105,7 +122,7 @@ Profile shadow(const TriangleMesh& mesh, double grid) {
         for (int i = 0; i < std::abs(turns); ++i)
             turns > 0 ? links.emplace(edge.first, edge.second) : links.emplace(edge.second, edge.first);
     const Profile loops{join(links, [&](std::uint32_t v) { return Vec2d{mesh.vertices[v].x, mesh.vertices[v].y}; })};
-    return by_winding(loops, grid);
+    return without_slivers(by_winding(loops, grid), grid);
 }
 
 }  // namespace cardioid::csg

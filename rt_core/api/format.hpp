@@ -10,6 +10,7 @@
 namespace cardioid {
 
 struct Scene;
+class Progress;
 class Registry;
 
 /// What a reader is told besides the file.
@@ -35,6 +36,7 @@ struct WriteOptions {
     int light_grid = 8;         ///< --pov-grid: K, where a lamp becomes K x K points
     double tolerance = 0;       ///< --tolerance: of meshes from curved surfaces [units]; 0: 1e-4 of the scene's size
     std::vector<std::string>* notes = nullptr;  ///< gets what the format cannot express, as "file:line:column: text"
+    Progress* progress = nullptr;               ///< told how far a long evaluation is, asked whether to stop
 };
 
 /// A kind of scene file in the registry.

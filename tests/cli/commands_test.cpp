@@ -65,6 +65,24 @@ TEST(Info, SaysWhereThereIsNoBoundAndWhereThereIsNothing) {
     EXPECT_NE(folder.call({"info", "empty.csg"}).out.find("volume: 0 +- 0"), std::string::npos);
 }
 
+TEST(Info, FallsBackToRaysWhereThereIsNoMeshAndSaysWhy) {
+    const Folder folder;
+    folder.write("a.csg",
+                 "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n"
+                 "cube(0.5);");
+    const Outcome run = folder.call({"info", "a.csg", "--volume", "--json", "a.json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("exact mesh: none, volume and area are those by rays: a.csg: a boolean of meshes failed: a "
+                           "mesh is not closed"),
+              std::string::npos)
+        << run.out;
+    const Json json = Json::parse(folder.read("a.json"));
+    EXPECT_GT(json["volume_standard_error"], 0);
+    EXPECT_GT(json["area_standard_error"], 0);
+    EXPECT_FALSE(json.contains("mesh_volume"));
+    EXPECT_NE(json["mesh_refused"].get<std::string>().find("not closed"), std::string::npos);
+}
+
 TEST(Info, TellsWhatMadeAPicture) {
     const Folder folder;
     folder.write("a.csg", "cube(1);");

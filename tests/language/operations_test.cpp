@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "csg/exact/evaluate_mesh.hpp"
+#include "csg/exact/section.hpp"
 #include "csg/shapes/mesh_repair.hpp"
 #include "tests/language/read.hpp"
 
@@ -216,6 +217,20 @@ TEST(Projection, IsTheShadow) {
     // The hole goes through only where nothing stands in the light.
     EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, -1]) cube([2, 2, 9]); }"), 12, 1e-6);
     EXPECT_NEAR(area_of("projection() difference() { cube(4); translate([1, 1, 1]) cube([2, 2, 9]); }"), 16, 1e-6);
+}
+
+/// Edges of the shadow that almost coincide snap to the grid apart from each other.
+TEST(Projection, LeavesNoSliversOfTheGrid) {
+    const std::string coarse = ", $fa = 30, $fs = 2);";
+    const std::string cone = "cylinder(h = 62.5, r1 = 12.5, r2 = 6.25, center = true" + coarse;
+    ReadOptions options;
+    options.openscad_facets = true;
+    Scene scene = read("difference() { sphere(25" + coarse + cone + "rotate([90, 0, 0]) " + cone +
+                           "multmatrix([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]) " + cone + "}",
+                       options);
+    SolidTree& tree = scene.solids;
+    const TriangleMesh mesh = csg::evaluate_mesh(tree, tree.add_node(SolidOp::unite, tree.roots), 0);
+    EXPECT_LE(csg::shadow(mesh, 0x1p-16).contours.size(), 2U);
 }
 
 TEST(Projection, CutIsTheSectionAtZero) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "csg/exact/evaluate_mesh.hpp"
-#include "csg/exact/mesh_boolean.hpp"
+#include "csg/exact/boolean/mesh_boolean.hpp"
 #include "csg/exact/mesh_cache.hpp"
 #include "csg/exact/minkowski/convex_sum.hpp"
 #include "csg/exact/walk.hpp"

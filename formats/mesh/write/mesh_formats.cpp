@@ -19,7 +19,9 @@ void append(std::string& out, T value) {
     out.append(bytes.data(), bytes.size());
 }
 
-MeshWish wish(const WriteOptions& options, bool one) { return {options.tolerance, one, options.notes}; }
+MeshWish wish(const WriteOptions& options, bool one) {
+    return {options.tolerance, one, options.notes, options.progress};
+}
 
 /// Single precision, as STL has it; triangles of which two corners become one are left out, which leaves no hole.
 std::string write_stl(const Scene& scene, const WriteOptions& options) {

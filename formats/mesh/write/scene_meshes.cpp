@@ -1,5 +1,6 @@
 #include "formats/mesh/write/scene_meshes.hpp"
 
+#include <atomic>
 #include <exception>
 #include <map>
 
@@ -44,13 +45,14 @@ void append(TriangleMesh& to, const TriangleMesh& mesh) {
     to.closed = to.closed && mesh.closed;
 }
 
-std::vector<MeshPart> united_parts(const Scene& scene, SolidTree& tree, double tolerance, bool one) {
+std::vector<MeshPart> united_parts(const Scene& scene, SolidTree& tree, double tolerance, const MeshWish& wish) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> roots;
-    for (const std::uint32_t root : tree.roots) roots[one ? 0 : material_of(tree, root)].push_back(root);
+    for (const std::uint32_t root : tree.roots) roots[wish.one ? 0 : material_of(tree, root)].push_back(root);
     std::vector<MeshPart> out;
     for (const auto& [material, nodes] : roots) {
         const std::string name = name_of(scene, material);
-        MeshPart part{name, name, csg::evaluate_mesh(tree, tree.add_node(SolidOp::unite, nodes), tolerance)};
+        const std::uint32_t whole = tree.add_node(SolidOp::unite, nodes);
+        MeshPart part{name, name, csg::evaluate_mesh(tree, whole, tolerance, wish.progress)};
         if (!part.mesh.triangles.empty()) out.push_back(std::move(part));
     }
     return out;
@@ -62,23 +64,43 @@ struct RegionMesh {
     std::exception_ptr failure;
 };
 
+/// Regions are what counts, not the booleans within one.
+class RegionProgress final : public Progress {
+public:
+    RegionProgress(Progress* whole, std::size_t regions) : whole_(whole), regions_(regions) {
+        if (whole_) whole_->begin("evaluate");
+    }
+    void one_more() {
+        const std::size_t done = ++done_;
+        if (whole_) whole_->update(static_cast<double>(done) / static_cast<double>(regions_));
+    }
+    [[nodiscard]] bool interrupted() const noexcept override { return whole_ && whole_->interrupted(); }
+
+private:
+    Progress* whole_;
+    std::size_t regions_;
+    std::atomic<std::size_t> done_{0};
+};
+
 /// All regions at once, each by one thread; what fails is told in the order of the file.
-std::vector<RegionMesh> region_meshes(const SolidTree& tree, double tolerance) {
+std::vector<RegionMesh> region_meshes(const SolidTree& tree, double tolerance, Progress* progress) {
     std::vector<RegionMesh> out(tree.roots.size());
+    RegionProgress shared(progress, out.size());
     parallel_for(static_cast<std::int64_t>(out.size()), [&](std::int64_t i) {
         RegionMesh& region = out[static_cast<std::size_t>(i)];
         try {
-            region.mesh = csg::evaluate_mesh(tree, tree.roots[static_cast<std::size_t>(i)], tolerance);
+            region.mesh = csg::evaluate_mesh(tree, tree.roots[static_cast<std::size_t>(i)], tolerance, &shared);
         } catch (...) {
             region.failure = std::current_exception();
         }
+        shared.one_more();
     });
     return out;
 }
 
 std::vector<MeshPart> region_parts(const Scene& scene, double tolerance, const MeshWish& wish) {
     std::vector<MeshPart> out;
-    std::vector<RegionMesh> regions = region_meshes(scene.solids, tolerance);
+    std::vector<RegionMesh> regions = region_meshes(scene.solids, tolerance, wish.progress);
     for (std::size_t i = 0; i < regions.size(); ++i) {
         MeshPart part{scene.names[i], name_of(scene, material_of(scene.solids, scene.solids.roots[i])),
                       std::move(regions[i].mesh)};
@@ -105,8 +127,7 @@ std::vector<MeshPart> scene_meshes(const Scene& scene, const MeshWish& wish) {
     const double tolerance = wish.tolerance > 0 ? wish.tolerance : usual_tolerance(tree);
     std::vector<MeshPart> out;
     try {
-        out =
-            scene.names.empty() ? united_parts(scene, tree, tolerance, wish.one) : region_parts(scene, tolerance, wish);
+        out = scene.names.empty() ? united_parts(scene, tree, tolerance, wish) : region_parts(scene, tolerance, wish);
     } catch (const Error& e) {
         throw Error(e.code(), scene.file + ": " + e.what());
     }

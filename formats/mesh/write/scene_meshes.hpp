@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "rt_core/api/progress.hpp"
 #include "rt_core/scene/scene.hpp"
 
 namespace cardioid::formats {
@@ -18,6 +19,7 @@ struct MeshWish {
     double tolerance = 0;  ///< how far a mesh may be from a curved surface [scene units]; 0: 1e-4 of the scene's size
     bool one = false;      ///< one part in all
     std::vector<std::string>* notes = nullptr;  ///< gets what is left out
+    Progress* progress = nullptr;               ///< told how far it is, asked whether to stop: Error(interrupted)
 };
 
 /// The solids of a scene as closed meshes by exact booleans, one part a material in the order of the file, or all of

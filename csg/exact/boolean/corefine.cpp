@@ -1,15 +1,12 @@
-#include "csg/exact/corefine.hpp"
+#include "csg/exact/boolean/corefine.hpp"
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <algorithm>
 #include <limits>
 
-#include "csg/exact/counted_mesh.hpp"
-#include "csg/shapes/mesh_repair.hpp"
+#include "csg/exact/boolean/cgal_corefinement.hpp"
+#include "csg/exact/boolean/exact_data.hpp"
 
 namespace cardioid::csg {
 
@@ -23,36 +20,36 @@ using Mesh = CountedMesh;
 constexpr std::int64_t most_steps = 10'000'000, most_steps_a_triangle = 10'000;
 
 /// A part as CGAL wants it: every edge of two triangles, no triangle without area. False where it cannot be had.
-bool to_exact(const TriangleMesh& mesh, Mesh& out) {
-    std::vector<Kernel::Point_3> points;
-    for (const Vec3d v : mesh.vertices) points.emplace_back(v.x, v.y, v.z);
+bool to_surface(const ExactData& data, Mesh& out) {
+    const auto is_flat = [&](const std::array<std::uint32_t, 3>& t) {
+        return CGAL::collinear(data.points[t[0]], data.points[t[1]], data.points[t[2]]);
+    };
+    if (!data.sound && std::ranges::any_of(data.triangles, is_flat)) return false;
     std::vector<std::vector<std::size_t>> faces;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        if (CGAL::collinear(points[a], points[b], points[c])) return false;
-        faces.push_back({a, b, c});
-    }
+    for (const auto& [a, b, c] : data.triangles) faces.push_back({a, b, c});
     if (!pmp::is_polygon_soup_a_polygon_mesh(faces)) return false;
-    pmp::polygon_soup_to_polygon_mesh(points, faces, out);
+    pmp::polygon_soup_to_polygon_mesh(data.points, faces, out);
+    if (data.sound) return true;
     return CGAL::is_closed(out) && !pmp::does_self_intersect(out) && pmp::does_bound_a_volume(out);
 }
 
-TriangleMesh to_double(const Mesh& mesh) {
-    TriangleMesh out;
+ExactSolid to_solid(const Mesh& mesh) {
+    if (mesh.number_of_faces() == 0) return {};
+    auto out = std::make_shared<ExactData>();
     std::vector<std::uint32_t> number(mesh.num_vertices());
     for (const auto v : mesh.vertices()) {
-        number[v.idx()] = static_cast<std::uint32_t>(out.vertices.size());
-        const auto& p = mesh.point(v);
-        out.vertices.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+        number[v.idx()] = static_cast<std::uint32_t>(out->points.size());
+        out->points.push_back(mesh.point(v));
     }
     for (const auto f : mesh.faces()) {
         std::array<std::uint32_t, 3> triangle{};
         std::size_t i = 0;
         for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
             if (i < 3) triangle[i++] = number[v.idx()];
-        out.triangles.push_back(triangle);
+        out->triangles.push_back(triangle);
     }
-    weld(out);
-    return out;
+    out->sound = out->settle();
+    return ExactSolid(std::move(out));
 }
 
 bool apply(SolidOp op, Mesh& a, Mesh& b, Mesh& out) {
@@ -80,6 +77,7 @@ bool unite_all(std::vector<Mesh> parts, Mesh& out) {
         return mesh;
     };
     while (parts.size() > 1) {
+        Interruption::check();
         Mesh a = pop(), b = pop(), both;
         if (!apply(SolidOp::unite, a, b, both)) return false;
         both.collect_garbage();
@@ -93,6 +91,7 @@ bool unite_all(std::vector<Mesh> parts, Mesh& out) {
 bool intersect_all(std::vector<Mesh>& parts, Mesh& out) {
     out = std::move(parts[0]);
     for (std::size_t i = 1; i < parts.size() && out.number_of_faces() > 0; ++i) {
+        Interruption::check();
         Mesh common;
         if (!apply(SolidOp::intersect, out, parts[i], common)) return false;
         common.collect_garbage();
@@ -116,16 +115,18 @@ bool combine(SolidOp op, std::vector<Mesh> parts, Mesh& out) {
 
 }  // namespace
 
-std::optional<TriangleMesh> corefine(SolidOp op, const std::vector<TriangleMesh>& parts) try {
+std::optional<ExactSolid> corefine(SolidOp op, std::span<const ExactSolid> parts) try {
     steps_left = std::numeric_limits<std::int64_t>::max();
     std::vector<Mesh> exact(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (!to_exact(parts[i], exact[i])) return std::nullopt;
+        if (!to_surface(parts[i].data(), exact[i])) return std::nullopt;
     Mesh result;
     if (exact.empty() || !combine(op, std::move(exact), result)) return std::nullopt;
     steps_left = std::numeric_limits<std::int64_t>::max();
     result.collect_garbage();
-    return to_double(result);
+    return to_solid(result);
+} catch (const Error&) {  // interrupted
+    throw;
 } catch (const std::exception&) {  // a surface that runs through itself; CGAL's own checks
     return std::nullopt;
 }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "csg/exact/boolean/interruption.hpp"
+
 namespace cardioid::csg {
 
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -15,7 +17,9 @@ using ExactMesh = CGAL::Surface_mesh<ExactKernel::Point_3>;
 inline thread_local std::int64_t steps_left = 0;
 
 inline void count_step() {
+    constexpr std::int64_t steps_between_looks = 1 << 14;
     if (--steps_left < 0) throw std::runtime_error("corefinement does not end");
+    if (steps_left % steps_between_looks == 0) Interruption::check();
 }
 
 /// A surface whose walks are counted; CGAL's algorithms find the functions below by its type.
