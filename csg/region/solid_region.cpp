@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "csg/region/convex_parts.hpp"
 #include "csg/region/sweep.hpp"
 
 namespace cardioid::csg {
@@ -33,14 +34,15 @@ SolidRegion::SolidRegion(Gates gates, std::vector<SolvedLeaf> leaves, std::vecto
         if (first == Leaf::no_material) first = leaves_[i].material;
         one_material_ = one_material_ && leaves_[i].material == first;
     }
+    one_and_ = is_one_and_of_convex(gates_, leaves_);
     leaves_.shrink_to_fit(), shapes_.shrink_to_fit();
     gates_.gates.shrink_to_fit(), gates_.inputs.shrink_to_fit();
 }
 
 bool SolidRegion::first_boundary(const Ray& ray, std::uint32_t, Hit& hit) const noexcept {
-    Sweep sweep(*this, ray);
     Boundary b;
-    if (!sweep.next(b)) return false;
+    const Answer quick = one_and_ ? first_by_intervals(*this, ray, b) : Answer::unsure;
+    if (quick == Answer::none || (quick == Answer::unsure && !Sweep(*this, ray).next(b))) return false;
     hit.t = b.t;
     hit.ng = Vec3(b.ng);
     hit.id.face = hit.leaf = b.input;

@@ -53,6 +53,7 @@ private:
     std::unique_ptr<const Bvh8> bvh_;
     Tolerances tolerances_;
     bool one_material_;
+    bool one_and_;  ///< of convex leaves
 };
 
 }  // namespace cardioid::csg

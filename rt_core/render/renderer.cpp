@@ -19,9 +19,9 @@ namespace cardioid {
 
 namespace {
 
-double process_cpu_seconds() {
+double thread_cpu_seconds() {
     std::timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
@@ -47,14 +47,12 @@ public:
     }
 
     RenderResult run() {
-        const double cpu = process_cpu_seconds();
         progress_.begin("render");
         while (!stopped() && pass()) {
         }
         if (noise_) statistics_.noise = noise_->noise();
         statistics_.interrupted = progress_.interrupted();
         statistics_.seconds = plan_.seconds();
-        statistics_.cpu_seconds = process_cpu_seconds() - cpu;
         statistics_.samples = static_cast<int>(samples_done_ / pixel_count());
         name_bad_pixel();
         return {std::move(sums_).finish(pixel_samples()), statistics_};
@@ -145,6 +143,7 @@ bool Job::pass() {
 void Job::render_tile(std::size_t index, std::uint32_t count) {
     const std::uint32_t first = samples_[index];
     const RayCounts before = ray_counts;
+    const double cpu = thread_cpu_seconds();
     const Tile& tile = tiles_[index];
     std::uint64_t bad = 0;
     std::size_t first_bad = SIZE_MAX;
@@ -179,6 +178,7 @@ void Job::render_tile(std::size_t index, std::uint32_t count) {
     statistics_.specular_rays += ray_counts.specular - before.specular;
     statistics_.bounce_rays += ray_counts.bounce - before.bounce;
     statistics_.bad_samples += bad;
+    statistics_.cpu_seconds += thread_cpu_seconds() - cpu;
     first_bad_ = std::min(first_bad_, first_bad);
 }
 

@@ -31,10 +31,11 @@ struct RenderSettings {
 /// What a render did, for `--stats` and the last line.
 struct RenderStatistics {
     std::uint64_t camera_rays = 0, shadow_rays = 0, specular_rays = 0;
-    std::uint64_t bounce_rays = 0;        ///< of paths that go on from surfaces of any kind
-    int samples = 0;                      ///< a pixel, on average, rounded down
-    double seconds = 0, cpu_seconds = 0;  ///< of the render phase
-    std::uint64_t bad_samples = 0;        ///< NaN, infinite or negative: replaced by black
+    std::uint64_t bounce_rays = 0;  ///< of paths that go on from surfaces of any kind
+    int samples = 0;                ///< a pixel, on average, rounded down
+    double seconds = 0;             ///< of the render phase
+    double cpu_seconds = 0;  ///< that its threads have worked on tiles; nothing else the program does meanwhile counts
+    std::uint64_t bad_samples = 0;  ///< NaN, infinite or negative: replaced by black
     std::array<int, 2> first_bad_pixel{-1, -1};
     bool interrupted = false;
     double noise = 0;  ///< of the picture where RenderSettings::noise was asked for, as NoisePlan last measured it

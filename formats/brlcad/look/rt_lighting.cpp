@@ -1,6 +1,7 @@
 #include "formats/brlcad/look/rt_lighting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,26 @@ constexpr int filters = 32;      ///< pieces of glass that a shadow ray may pass
 /// grey.
 const Rgb within_solid(0.18F * 0.8F * 0.8F * 0.8F * 0.8F * 0.8F * 0.8F);
 const Rgb background{0, 0, 1.0F / 255};
+
+/// What a display shows of numbers from 0 to 1, by a table whose chords are within 3e-8 of srgb_decode().
+class Decoded {
+public:
+    Decoded() {
+        for (std::size_t i = 0; i <= steps; ++i)
+            at_[i] = srgb_decode(static_cast<float>(i) / static_cast<float>(steps));
+        at_[steps + 1] = at_[steps];
+    }
+    [[nodiscard]] float operator()(float x) const noexcept {
+        if (std::isnan(x)) return x;
+        const float place = std::clamp(x, 0.0F, 1.0F) * static_cast<float>(steps);
+        const auto i = static_cast<std::size_t>(place);
+        return at_[i] + (at_[i + 1] - at_[i]) * (place - static_cast<float>(i));
+    }
+
+private:
+    static constexpr std::size_t steps = 4096;
+    std::array<float, steps + 2> at_;
+};
 
 struct Lamp {
     Vec3d place;
@@ -195,12 +216,12 @@ public:
         const Rgb c = Tree(world, finishes_, lamps_.empty() ? implicit : lamps_, around_).along(eye.ray, 0);
         LightParts out;
         // A picture is written as a display shows it; rt writes its numbers as they are.
-        out.direct = {srgb_decode(std::clamp(c.r, 0.0F, 1.0F)), srgb_decode(std::clamp(c.g, 0.0F, 1.0F)),
-                      srgb_decode(std::clamp(c.b, 0.0F, 1.0F))};
+        out.direct = {decoded_(c.r), decoded_(c.g), decoded_(c.b)};
         return out;
     }
 
 private:
+    Decoded decoded_;
     std::vector<const RtFinish*> finishes_;
     std::vector<Lamp> lamps_;
     const RtFinish* around_ = nullptr;
