@@ -46,14 +46,19 @@ void run_chunk(const World& world, const PhotonOptions& options, const ShotReque
 
 /// Chunk after chunk in one list; each is given back as soon as it is copied, so that little is held twice.
 void concatenate(std::vector<Chunk>& chunks, Shot& shot) {
+    std::vector<std::size_t> first;
     std::size_t count = 0;
-    for (const Chunk& chunk : chunks) count += chunk.photons.size();
-    shot.photons.reserve(count);
-    for (Chunk& chunk : chunks) {
-        shot.photons.insert(shot.photons.end(), chunk.photons.begin(), chunk.photons.end());
-        std::vector<Photon>().swap(chunk.photons);
+    for (const Chunk& chunk : chunks) {
+        first.push_back(count);
+        count += chunk.photons.size();
         shot.ledger += chunk.ledger;
     }
+    shot.photons.resize(count);
+    parallel_for(static_cast<std::int64_t>(chunks.size()), [&](std::int64_t c) {
+        const auto i = static_cast<std::size_t>(c);
+        std::ranges::copy(chunks[i].photons, shot.photons.begin() + static_cast<std::ptrdiff_t>(first[i]));
+        std::vector<Photon>().swap(chunks[i].photons);
+    });
 }
 
 }  // namespace
@@ -75,7 +80,7 @@ Shot shoot(const World& world, const PhotonOptions& options, const ShotRequest& 
         if (progress.interrupted()) return;
         const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
         PhotonPath path(world, {options.roulette, options.rr_double_count},
-                        {request.keep, options.store, shot.origin, shot.flux_scale, least});
+                        {request.keep, request.unwanted, options.store, shot.origin, shot.flux_scale, least});
         // Memory that is not written to costs nothing; growing would.
         path.photons.reserve(4 * chunk_size);
         run_chunk(world, options, request, list, first, std::min(first + chunk_size, list.total), path);

@@ -1,6 +1,7 @@
 #pragma once
 #include "photon/emission/aim.hpp"
 #include "photon/emission/light_shares.hpp"
+#include "photon/map/tree/untouched.hpp"
 #include "photon/propagation/photon_path.hpp"
 #include "rt_core/api/progress.hpp"
 
@@ -13,15 +14,16 @@ struct ShotRequest {
     Keep keep = Keep::everything;
     std::uint64_t count = 0;   ///< photons to emit
     const Aim* aim = nullptr;  ///< where they are sent; null or no cells: evenly over what lights emit
+    PathClasses unwanted{};    ///< counted in the ledger, not brought home
 };
 
 /// What a pass brought home. The same bits for any number of threads.
 struct Shot {
-    std::vector<Photon> photons;  ///< by light, then by number
-    Vec3d origin;                 ///< photon positions are relative to it, scene units
-    float flux_scale = 1;         ///< of decode_flux
-    std::uint64_t emitted = 0;    ///< photons asked of the lights
-    Rgb power;                    ///< sum of Light::power() [W], to compare with ledger.emitted
+    UntouchedVector<Photon> photons;  ///< by light, then by number
+    Vec3d origin;                     ///< photon positions are relative to it, scene units
+    float flux_scale = 1;             ///< of decode_flux
+    std::uint64_t emitted = 0;        ///< photons asked of the lights
+    Rgb power;                        ///< sum of Light::power() [W], to compare with ledger.emitted
     Ledger ledger;
 };
 

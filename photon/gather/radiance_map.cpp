@@ -22,10 +22,8 @@ std::unordered_map<std::uint32_t, float> farthest_reach(const std::vector<Radian
 
 }  // namespace
 
-RadianceMap::RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin)
-    : origin_(origin), reach_(farthest_reach(photons)) {
-    tree_ = PointTree<RadiancePhoton>(std::move(photons));
-}
+RadianceMap::RadianceMap(const std::vector<RadiancePhoton>& photons, Vec3d origin)
+    : tree_(photons), origin_(origin), reach_(farthest_reach(photons)) {}
 
 const RadiancePayload* RadianceMap::nearest(const SurfacePoint& point, Vec3 ng) const noexcept {
     const auto reach = reach_.find(point.id.region);

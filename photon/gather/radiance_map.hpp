@@ -34,7 +34,7 @@ inline RadiancePayload payload_of(const RadiancePhoton& photon) { return {photon
 class RadianceMap {
 public:
     RadianceMap() = default;
-    RadianceMap(std::vector<RadiancePhoton> photons, Vec3d origin);
+    RadianceMap(const std::vector<RadiancePhoton>& photons, Vec3d origin);
 
     /// The nearest place on the same side of the same solid, null where there is none or it does not reach so far.
     [[nodiscard]] const RadiancePayload* nearest(const SurfacePoint& point, Vec3 ng) const noexcept;

@@ -20,7 +20,7 @@ struct RadianceRule {
 struct RadiancePlaces {
     std::vector<Photon> places;
     /// Photons shot independently of the map, that tell how many of its photons a lookup may expect.
-    std::vector<Photon> witnesses;
+    UntouchedVector<Photon> witnesses;
     Vec3d origin;
 };
 

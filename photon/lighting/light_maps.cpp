@@ -45,26 +45,30 @@ private:
     void shoot_global() {
         if (options_.indirect == Indirect::none && !options_.keep_map) return;
         progress_.begin("photons");
-        Shot shot = shoot(world_, options_, {.seed = seed_, .count = plan_.count}, progress_);
+        Shot shot = shoot(world_, options_, {.seed = seed_, .count = plan_.count, .unwanted = unwanted()}, progress_);
         if (progress_.interrupted()) return;
         tell("photons", shot);
-        if (shot.photons.empty()) return warn_of_nothing(shot);
+        if (shot.ledger.stored_photons() == 0) return warn_of_nothing(shot);
         if (shot.ledger.rays == shot.ledger.paths) warn_of_black();
-        const bool gathers = options_.indirect == Indirect::cache || options_.indirect == Indirect::gather;
-        // Radiance photons look for lamps by rays, and for caustics in the map that has more of them.
-        std::erase_if(shot.photons, [&](const Photon& p) {
-            const PathClass kind = path_class(p.way);
-            if (gathers) return kind == PathClass::direct || (kind == PathClass::caustic && maps_.caustics);
-            return options_.indirect == Indirect::map && kind != PathClass::indirect;
-        });
         std::vector<Photon> places;
         if (options_.indirect == Indirect::precomputed)
             for (std::size_t i = 0; i < shot.photons.size(); i += static_cast<std::size_t>(options_.cache_every))
                 places.push_back(shot.photons[i]);
-        maps_.global.emplace(std::move(shot.photons), shot.origin, shot.flux_scale);
-        if (gathers) make_radiance(shot);
+        maps_.global.emplace(shot.photons, shot.origin, shot.flux_scale);
+        shot.photons = {};
+        if (gathers()) make_radiance(shot);
         if (options_.indirect == Indirect::precomputed && !progress_.interrupted()) precompute(places, shot.origin);
         if (options_.indirect != Indirect::map && !options_.keep_map) maps_.global.reset();
+    }
+
+    [[nodiscard]] bool gathers() const {
+        return options_.indirect == Indirect::cache || options_.indirect == Indirect::gather;
+    }
+    /// Radiance photons look for lamps by rays, and for caustics in the map that has more of them.
+    [[nodiscard]] PathClasses unwanted() const {
+        if (gathers()) return only(PathClass::direct) | (maps_.caustics ? only(PathClass::caustic) : PathClasses{});
+        if (options_.indirect == Indirect::map) return only(PathClass::direct) | only(PathClass::caustic);
+        return {};
     }
 
     void make_radiance(const Shot& shot) {
@@ -90,7 +94,7 @@ private:
     /// Where rays of gathers end, and at one in so many photons, for what rays meet that go on, and for other views.
     [[nodiscard]] std::vector<Photon> radiance_places(const Shot& shot) const {
         constexpr std::size_t one_in = 2;
-        if (!eye_) return shot.photons;
+        if (!eye_) return {shot.photons.begin(), shot.photons.end()};
         std::vector<Photon> places = gather_ends(world_, *eye_, seed_, tuning_.radiance_photons / 2, shot.origin);
         for (std::size_t i = 0; i < shot.photons.size(); i += one_in) places.push_back(shot.photons[i]);
         return places;
@@ -116,13 +120,13 @@ private:
         if (progress_.interrupted()) return;
         tell("caustic photons", shot);
         if (shot.photons.empty()) return;
-        maps_.caustics.emplace(std::move(shot.photons), shot.origin, shot.flux_scale);
+        maps_.caustics.emplace(shot.photons, shot.origin, shot.flux_scale);
         if (maps_.caustic_lookup.spread) maps_.caustics->spread(maps_.caustic_lookup);
     }
 
     void tell(const std::string& what, const Shot& shot) {
         maps_.statistics.emplace_back(what + " emitted", static_cast<std::int64_t>(shot.emitted));
-        maps_.statistics.emplace_back(what + " stored", static_cast<std::int64_t>(shot.photons.size()));
+        maps_.statistics.emplace_back(what + " stored", static_cast<std::int64_t>(shot.ledger.stored_photons()));
         maps_.statistics.emplace_back(what + " lost share", shot.ledger.gap());
         const auto add_flux = [&](const char* name, const FluxSum& flux) {
             maps_.statistics.emplace_back(what + " W " + name, flux.r + flux.g + flux.b);

@@ -161,8 +161,8 @@ void PhotonModule::load_maps(const std::string& path, const World& world, const 
     set_lookups(options_, sizes, maps_);
     const auto read_map = [&](const std::string& name, std::optional<PhotonMap>& map) {
         if (!file.has(name)) return;
-        PhotonSet set = file.photons(name);
-        map.emplace(std::move(set.photons), set.origin, set.flux_scale);
+        const PhotonSet set = file.photons(name);
+        map.emplace(set.photons, set.origin, set.flux_scale);
     };
     const auto read_places = [&](const std::string& name, RadianceMap& map) {
         if (file.has(name)) map = {file.items<RadiancePhoton>(name), file.items<Vec3d>(name + " origin").at(0)};

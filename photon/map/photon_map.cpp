@@ -30,8 +30,8 @@ float usual_distance(const PointTree<Photon>& tree) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(std::vector<Photon> photons, Vec3d origin, float flux_scale)
-    : tree_(std::move(photons)), origin_(origin), flux_scale_(flux_scale), distance_(usual_distance(tree_)) {}
+PhotonMap::PhotonMap(std::span<const Photon> photons, Vec3d origin, float flux_scale)
+    : tree_(photons), origin_(origin), flux_scale_(flux_scale), distance_(usual_distance(tree_)) {}
 
 float PhotonMap::slack(Vec3 p) const noexcept { return rounding * std::max(distance_, max_component(abs(p))); }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "photon/map/photon.hpp"
@@ -47,7 +48,7 @@ public:
     PhotonMap() = default;
     /// `origin` is what positions of photons are relative to, `flux_scale` what their fluxes were encoded with.
     /// Throws Error(bad_input) where a position is not finite, Error(limit) past 2^30 photons.
-    PhotonMap(std::vector<Photon> photons, Vec3d origin, float flux_scale);
+    PhotonMap(std::span<const Photon> photons, Vec3d origin, float flux_scale);
 
     /// Gives each photon a disc of its own to light (spread.hpp), by rule.k and rule.max_radius; what `spread` lookups
     /// read. Not while others look up.

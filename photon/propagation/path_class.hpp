@@ -1,4 +1,6 @@
 #pragma once
+#include <bitset>
+
 #include "photon/map/photon.hpp"
 
 namespace cardioid::photon {
@@ -31,6 +33,8 @@ namespace cardioid::photon {
 /// The caustic map is shot by itself and holds its one class; caustic photons of the global map are not added to it.
 enum class PathClass : std::uint8_t { direct, caustic, indirect };
 inline constexpr int path_classes = 3;
+using PathClasses = std::bitset<path_classes>;
+constexpr PathClasses only(PathClass kind) { return 1ULL << static_cast<int>(kind); }
 
 constexpr PathClass path_class(Way way) {
     if (has(way, Way::diffuse)) return PathClass::indirect;

@@ -127,6 +127,7 @@ void PhotonPath::keep(Leg& leg, const SurfacePoint& point) {
     const auto i = static_cast<std::size_t>(kind);
     ++ledger.photons[i];
     ledger.stored[i] += leg.flux;
+    if (store_.unwanted[i]) return;
     const Vec3 wi(-leg.ray.d);
     const Vec3 n = dot(point.ng, wi) < 0 ? -point.ng : point.ng;
     const Vec3 p(point.p - store_.origin);

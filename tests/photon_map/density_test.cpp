@@ -88,7 +88,7 @@ TEST(Density, OfOnePhotonInSightIsItsFluxOverTheDisc) {
     photon.p = {0.5F, 0, 0};
     photon.n = encode_direction(up);
     photon.flux = encode_flux(Rgb(2), 1);
-    const PhotonMap map({photon}, {10, 20, 30}, 1);
+    const PhotonMap map(std::span(&photon, 1), {10, 20, 30}, 1);
     LookupRule rule = plain(50);
     rule.max_radius = 1;
     const Estimate e = map.irradiance(point_at({10, 20, 30}, up), up, rule);

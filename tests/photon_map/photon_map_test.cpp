@@ -76,7 +76,7 @@ TEST(PhotonMap, TellsFluxDirectionAndPlaceOfAPhoton) {
     photon.flux = encode_flux(Rgb(1, 0.5F, 0.25F), 1);
     photon.wi = encode_direction({0, 1, 0});
     photon.n = encode_direction({0, 0, 1});
-    const PhotonMap map({photon}, {10, 20, 30}, 4);
+    const PhotonMap map(std::span(&photon, 1), {10, 20, 30}, 4);
     EXPECT_EQ(map.size(), 1U);
     EXPECT_EQ(map.flux(0), Rgb(4, 2, 1));
     EXPECT_EQ(map.direction(0), (Vec3{0, 1, 0}));

@@ -1,5 +1,5 @@
 #pragma once
-#include <type_traits>
+#include <span>
 #include <utility>
 
 #include "photon/map/tree/kd_tree.hpp"
@@ -17,7 +17,7 @@ public:
     PointTree() = default;
     /// O(N log N) on all threads; the result does not depend on how many. Throws Error(bad_input) where a position is
     /// not finite, Error(limit) past 2^30 points. Needs 48 bytes a point on top of the points while it builds.
-    explicit PointTree(std::vector<Point> points) : PointTree(points, lay_out_kd(keys_of(points))) {}
+    explicit PointTree(std::span<const Point> points) : PointTree(points, lay_out_kd(keys_of(points))) {}
 
     /// Of the point i in the tree's order; indices are those that queries find.
     [[nodiscard]] const Payload& payload(std::uint32_t i) const noexcept { return payloads_[i]; }
@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    PointTree(const std::vector<Point>& points, KdLayout&& layout) {
+    PointTree(std::span<const Point> points, KdLayout&& layout) {
         payloads_.resize(points.size());
         for_chunks(points.size(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) payloads_[i] = payload_of(points[layout.keys[i].index]);
@@ -36,7 +36,7 @@ private:
             [&](std::uint32_t i) { return points[i].region; });
     }
 
-    static UntouchedVector<KdKey> keys_of(const std::vector<Point>& points) {
+    static UntouchedVector<KdKey> keys_of(std::span<const Point> points) {
         UntouchedVector<KdKey> keys(points.size());
         for_chunks(points.size(), [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
@@ -47,9 +47,7 @@ private:
         return keys;
     }
 
-    std::conditional_t<std::is_trivially_default_constructible_v<Payload>, UntouchedVector<Payload>,
-                       std::vector<Payload>>
-        payloads_;
+    UntouchedVector<Payload> payloads_;
 };
 
 }  // namespace cardioid::photon

@@ -1,13 +1,15 @@
 #pragma once
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace cardioid::photon {
 
 /// An allocator that leaves new elements of a vector as they are, so that large arrays are first touched, and their
-/// pages made, by the threads that fill them.
+/// pages made, by the threads that fill them. Elements that are no more than their bytes need no constructor to be
+/// assigned to.
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
     template <class U>
@@ -19,9 +21,8 @@ struct UntouchedAllocator : std::allocator<T> {
     UntouchedAllocator(const UntouchedAllocator<U>& /*other*/) noexcept {}
 
     template <class U>
-    void construct(U* place) noexcept {
-        static_assert(std::is_trivially_default_constructible_v<U>);
-        ::new (static_cast<void*>(place)) U;
+    void construct(U* /*place*/) noexcept {
+        static_assert(std::is_trivially_copyable_v<U> && std::is_trivially_destructible_v<U>);
     }
     template <class U, class... Args>
     void construct(U* place, Args&&... args) {
