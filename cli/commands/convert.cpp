@@ -55,12 +55,15 @@ int run_convert(const std::vector<std::string>& words) {
     SceneOptions options;
     WriteOptions write;
     std::string output;
+    bool quiet = false;
     Arguments arguments("convert SCENE -o FILE [options]", "Writes a scene in another format.");
     arguments.text("-o,--output", "FILE", "What to write; its ending tells the format, - is standard output", output);
     add_scene_options(arguments, options);
     add_format_settings(arguments, options);
     add_pov_options(arguments, write);
     add_mesh_options(arguments, write);
+    arguments.group("Messages");
+    arguments.flag("-q,--quiet", "Nothing but errors", quiet);
     arguments.examples(
         "Examples:\n  cardioid convert part.scad -o part.csg\n"
         "  cardioid convert room.csg -o room.pov     the same scene for POV-Ray 3.7\n"
@@ -77,7 +80,8 @@ int run_convert(const std::vector<std::string>& words) {
     if (!format.read) complete_scene(scene, *registry);
     std::vector<std::string> notes = scene.warnings;
     write.notes = &notes;
-    Console console(Loudness::normal, progress_style("auto", Loudness::normal));
+    const Loudness loudness = quiet ? Loudness::quiet : Loudness::normal;
+    Console console(loudness, progress_style("auto", loudness));
     write.progress = &console;
     catch_interrupts();  // nothing is written before all of it is there
     const std::string text = format.write(scene, write);

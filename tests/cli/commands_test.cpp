@@ -43,6 +43,17 @@ TEST(Convert, WritesASceneThatReadsAsTheSame) {
     for (const char* const key : {"leaves", "bounds", "volume", "cameras", "lights"}) EXPECT_EQ(a[key], b[key]) << key;
 }
 
+TEST(Convert, WarnsUnlessQuiet) {
+    const Folder folder;
+    folder.write("a.csg", "cube(1); sphere(0);");
+    EXPECT_NE(folder.call({"convert", "a.csg", "-o", "b.csg"}).err.find("cardioid: warning: a.csg:1:10: "),
+              std::string::npos);
+    const Outcome quiet = folder.call({"convert", "a.csg", "-o", "c.csg", "-q"});
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.err, "");
+    EXPECT_EQ(folder.read("b.csg"), folder.read("c.csg"));
+}
+
 TEST(Info, MeasuresTheVolumeWithinFourStandardErrors) {
     const Folder folder;
     folder.write("a.csg", "difference() { cube(4, center = true); sphere(2); }");
