@@ -105,6 +105,7 @@ Json scene_json(const Scene& scene, Wishes wishes, Progress& progress) {
               {"leaves", leaves_json(scene.solids)},
               {"triangles", triangles},
               {"meshes_closed", closed}};
+    for (const auto& [name, text] : scene.facts) json["facts"][name] = text;
     Json mesh = Json::object();
     // Rays tell the area, too, where no mesh does.
     if (wishes.mesh && !add_mesh_figures(scene, mesh, progress)) wishes.area = true;
@@ -139,8 +140,11 @@ std::string geometry_text(const Json& json) {
     std::string leaves;
     for (const auto& [kind, count] : json["leaves"].items())
         leaves += fmt::format("{}{} {}", leaves.empty() ? "" : ", ", count.get<std::size_t>(), kind);
-    std::string text = fmt::format("{}\nsolids: {} of {}\n", json["file"].get<std::string>(),
-                                   json["solids"].get<std::size_t>(), leaves.empty() ? "no leaves" : leaves);
+    std::string text = json["file"].get<std::string>() + "\n";
+    if (json.contains("facts"))
+        for (const auto& [name, fact] : json["facts"].items())
+            text += fmt::format("{}: {}\n", name, fact.get<std::string>());
+    text += fmt::format("solids: {} of {}\n", json["solids"].get<std::size_t>(), leaves.empty() ? "no leaves" : leaves);
     if (json["triangles"] > 0) text += fmt::format("triangles: {}\n", json["triangles"].get<std::size_t>());
     if (json.contains("bounds"))
         text += fmt::format("bounds: {} to {}{}\n", coordinates(json["bounds"][0]), coordinates(json["bounds"][1]),

@@ -10,8 +10,6 @@
 namespace cardioid::cli {
 namespace {
 
-constexpr double default_azimuth_deg = 35, default_elevation_deg = 25;  // as BRL-CAD's rt
-
 const CameraSettings& named_camera(const std::string& name, const Scene& scene) {
     std::vector<std::string> known;
     for (const CameraSettings& camera : scene.cameras) {
@@ -34,6 +32,18 @@ CameraSettings placed_camera(const RenderOptions& options, const Box3d& model) {
     return camera;
 }
 
+/// Of a scene without a camera, or from where -a and -e say. An angle of view asks for perspective.
+CameraSettings camera_around(const RenderOptions& options, const FittedView& view, const Box3d& model, double aspect) {
+    const double azimuth_deg = options.azimuth_deg.value_or(view.azimuth_deg);
+    const double elevation_deg = options.elevation_deg.value_or(view.elevation_deg);
+    CameraSettings camera = view.parallel && !options.fov_deg
+                                ? automatic_view(model, azimuth_deg, elevation_deg, view.width)
+                                : fitted_camera(model, azimuth_deg, elevation_deg,
+                                                options.fov_deg.value_or(CameraSettings{}.fov_deg), aspect);
+    camera.pixel_shift = view.pixel_shift;
+    return camera;
+}
+
 CameraSettings choose_camera(const RenderOptions& options, const Scene& scene, const Box3d& model, double aspect) {
     CameraSettings camera;
     const bool around = options.azimuth_deg || options.elevation_deg;
@@ -44,9 +54,7 @@ CameraSettings choose_camera(const RenderOptions& options, const Scene& scene, c
     else if (!around && !scene.cameras.empty())
         camera = scene.cameras.front();
     else
-        return fitted_camera(model, options.azimuth_deg.value_or(default_azimuth_deg),
-                             options.elevation_deg.value_or(default_elevation_deg),
-                             options.fov_deg.value_or(camera.fov_deg), aspect);
+        return camera_around(options, scene.fitted, model, aspect);
     if (options.fov_deg) {
         if (camera.projection == CameraSettings::Projection::orthographic)
             throw Error(ErrorCode::usage,

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 
 namespace cardioid::formats::brlcad {
 
@@ -91,14 +93,28 @@ bool well_formed(const std::vector<Step>& steps) {
     return values == 1;
 }
 
+namespace {
+
+struct Unit {
+    const char* name;
+    double mm;
+};
+constexpr Unit units[] = {{"um", 1e-3}, {"mm", 1},     {"cm", 10},    {"m", 1000},    {"km", 1e6},
+                          {"in", 25.4}, {"ft", 304.8}, {"yd", 914.4}, {"mi", 1609344}};
+
+}  // namespace
+
 double unit_mm(const std::string& unit) {
-    static const std::map<std::string, double> known{{"um", 1e-3},  {"mm", 1},     {"cm", 10},
-                                                     {"m", 1000},   {"km", 1e6},   {"in", 25.4},
-                                                     {"ft", 304.8}, {"yd", 914.4}, {"mi", 1609344}};
-    const auto found = known.find(unit);
-    if (found != known.end()) return found->second;
+    for (const Unit& known : units)
+        if (unit == known.name) return known.mm;
     const double value = std::strtod(unit.c_str(), nullptr);
     return value > 0 ? value : 1;
+}
+
+std::string unit_name(double mm) {
+    for (const Unit& known : units)
+        if (std::abs(mm - known.mm) <= 1e-9 * known.mm) return known.name;
+    return fmt::format("{:.6g} mm", mm);
 }
 
 }  // namespace cardioid::formats::brlcad

@@ -137,5 +137,7 @@ bool well_formed(const std::vector<Step>& steps);
 
 /// mm in a unit of that name ("in", "ft", "m" ...) or a number as text; 1 for what is not known.
 double unit_mm(const std::string& unit);
+/// Its name, else its length: "25.4 mm".
+std::string unit_name(double mm);
 
 }  // namespace cardioid::formats::brlcad

@@ -95,41 +95,65 @@ Ray Camera::ray(Vec2d film, Vec2 u_lens) const noexcept {
     return ray;
 }
 
+namespace {
+
+/// What a fitted camera looks at, and from where.
+struct Direction {
+    Direction(double azimuth_deg, double elevation_deg) {
+        const double a = azimuth_deg * degree, e = elevation_deg * degree;
+        back = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+        // Straight from above or below, the azimuth alone tells what is up.
+        level = {-std::sin(a), std::cos(a), 0};
+        up = cross(back, level);
+    }
+    Vec3d back, level, up;
+};
+
+Box3d box_to_fit(const Box3d& bounds) {
+    return !bounds.empty() && bounds.bounded() ? bounds : Box3d{{-1, -1, -1}, {1, 1, 1}};
+}
+
+/// A single point has no size to stand back from.
+double size_around(const Box3d& box) { return std::max(max_component(abs(box.centre())), 1.0); }
+
+}  // namespace
+
 CameraSettings fitted_camera(const Box3d& bounds, double azimuth_deg, double elevation_deg, double fov_deg,
                              double aspect) {
-    const Box3d box = !bounds.empty() && bounds.bounded() ? bounds : Box3d{{-1, -1, -1}, {1, 1, 1}};
-    const double a = azimuth_deg * degree, e = elevation_deg * degree;
-    const Vec3d back{std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-    // Straight from above or below, the azimuth alone tells what is up.
-    const Vec3d level{-std::sin(a), std::cos(a), 0};
-    const Vec3d up = cross(back, level);
+    const Box3d box = box_to_fit(bounds);
+    const Direction from(azimuth_deg, elevation_deg);
     const double tan_y = std::tan(fov_deg / 2 * degree) * fitted_share;
     const double tan_x = tan_y * aspect;
-
-    double distance = 0, half_width = 0, half_height = 0, nearest = 0;
+    double distance = 0;
     for (int i = 0; i < 8; ++i) {
         const Vec3d corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
         const Vec3d c = corner - box.centre();
-        const double x = std::abs(dot(c, level)), y = std::abs(dot(c, up)), z = dot(c, back);
-        if (fov_deg > 0) distance = std::max(distance, z + std::max(x / tan_x, y / tan_y));
-        half_width = std::max(half_width, x);
-        half_height = std::max(half_height, y);
-        nearest = std::max(nearest, z);
+        const double x = std::abs(dot(c, from.level)), y = std::abs(dot(c, from.up));
+        distance = std::max(distance, dot(c, from.back) + std::max(x / tan_x, y / tan_y));
     }
+    if (!(distance > 0)) distance = size_around(box);
     CameraSettings camera;
     camera.look_at = box.centre();
-    camera.up = up;
+    camera.up = from.up;
     camera.fov_deg = fov_deg;
-    if (!(fov_deg > 0)) {
-        camera.projection = CameraSettings::Projection::orthographic;
-        camera.width = 2 * std::max(half_width, half_height * aspect) / fitted_share;
-        distance = 2 * nearest;
-    }
-    // A single point has no size to stand back from.
-    const double around = std::max(max_component(abs(box.centre())), 1.0);
-    if (!(distance > 0)) distance = around;
-    if (!(camera.width > 0) && !(fov_deg > 0)) camera.width = around;
-    camera.eye = camera.look_at + back * distance;
+    camera.eye = camera.look_at + from.back * distance;
+    return camera;
+}
+
+CameraSettings automatic_view(const Box3d& bounds, double azimuth_deg, double elevation_deg, double width) {
+    constexpr double eye_backoff = 1.414;
+    const Box3d fitted = box_to_fit(bounds);
+    Box3d box;
+    for (int axis = 0; axis < 3; ++axis)
+        box.lo[axis] = std::floor(fitted.lo[axis]), box.hi[axis] = std::ceil(fitted.hi[axis]);
+    const Direction from(azimuth_deg, elevation_deg);
+    CameraSettings camera;
+    camera.projection = CameraSettings::Projection::orthographic;
+    camera.width = width > 0 ? width : box.diagonal();
+    if (!(camera.width > 0)) camera.width = size_around(box);
+    camera.look_at = box.centre();
+    camera.up = from.up;
+    camera.eye = camera.look_at + from.back * (eye_backoff * camera.width / 2);
     return camera;
 }
 

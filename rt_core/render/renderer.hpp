@@ -54,10 +54,14 @@ const std::vector<std::string>& layer_names();
 const std::vector<std::string>& view_names();
 
 /// A camera that sees the whole box. It stands, from the box's centre, in the direction of azimuth and elevation
-/// (degrees) as in BRL-CAD: azimuth 0 on +x, 90 on +y, elevation 90 above. fov_deg is the vertical angle, 0 gives an
-/// orthographic view. An empty or unbounded box counts as the cube from -1 to 1.
+/// (degrees) as in BRL-CAD: azimuth 0 on +x, 90 on +y, elevation 90 above. fov_deg is the vertical angle. An empty or
+/// unbounded box counts as the cube from -1 to 1.
 CameraSettings fitted_camera(const Box3d& bounds, double azimuth_deg, double elevation_deg, double fov_deg,
                              double aspect);
+/// The automatic view of BRL-CAD's rt, in the same direction: parallel rays, `width` across, which 0 makes the diagonal
+/// of the box after it is rounded outward to whole units, from 1.414 times half of that off its centre (rt/do.c,
+/// do_ae()).
+CameraSettings automatic_view(const Box3d& bounds, double azimuth_deg, double elevation_deg, double width);
 
 /// Renders all tiles, in Morton order, on all OpenMP threads; the same picture bit for bit for any number of them,
 /// unless time_s ends it. When progress says interrupted, returns what there is: each pixel the mean of its samples,

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rt_core/api/params.hpp"
@@ -29,6 +30,14 @@ struct CameraSettings {
     Vec2d pixel_shift;       ///< added to every place on the film [pixels], to meet another program's rays
 };
 
+/// How the camera looks that is fitted to the model where neither the file nor the command line has one.
+struct FittedView {
+    double azimuth_deg = 35, elevation_deg = 25;  ///< as BRL-CAD's rt
+    bool parallel = false;  ///< rt's automatic view, parallel rays; else in perspective, as near as the model allows
+    double width = 0;       ///< of the parallel view, scene units; 0: the model's diagonal
+    Vec2d pixel_shift;      ///< CameraSettings::pixel_shift
+};
+
 /// A material by name; `kind` names a Shader of the registry. Index 0 of Scene::materials is the default material.
 struct MaterialSettings {
     std::string name;
@@ -49,6 +58,7 @@ struct Scene {
     std::string base_dir;  ///< where relative files are looked for
     FilmSettings film;
     std::vector<CameraSettings> cameras;
+    FittedView fitted;  ///< where there is no camera
     std::vector<MaterialSettings> materials;
     std::vector<LightSettings> lights;
     Params photons;  ///< photons(...): parameters of the photon module
@@ -58,7 +68,8 @@ struct Scene {
     std::vector<std::uint32_t> statements;
     std::vector<std::string> names;  ///< of the roots, where the file names them; else empty
     std::vector<std::string> tops;   ///< objects that may be asked for by name, where the file has such
-    std::string lighting;            ///< lighting module the file's look needs; empty: what the command line says
+    std::vector<std::pair<std::string, std::string>> facts;  ///< what the file tells of itself: a name and a text
+    std::string lighting;    ///< lighting module the file's look needs; empty: what the command line says
     bool six_digits = true;  ///< numbers were printed with 6 digits, so nearly coincident faces are meant to coincide
     std::vector<std::string> warnings;  ///< file:line:column: text
 };

@@ -40,6 +40,18 @@ TEST(Databases, AreTheSameSceneFromEachOfTheThreeForms) {
     EXPECT_TRUE(binary.warnings.empty());
 }
 
+TEST(Databases, TellTheirTitleUnitsTopsAndCounts) {
+    const Scene text = scene_of(test::small_text_v5()), binary = scene_of(test::small_binary());
+    EXPECT_EQ(text.facts, binary.facts);
+    ASSERT_EQ(text.facts.size(), 4U);
+    EXPECT_EQ(text.facts[2], (std::pair<std::string, std::string>{"top objects", "all.g"}));
+    EXPECT_EQ(text.facts[3].second.find("3 combinations, 2 of them regions; "), 0U) << text.facts[3].second;
+    const Scene inches = scene_of("title {a block}\nunits in\nput {b.s} ell V {0 0 0} A {9 0 0} B {0 9 0} C {0 0 9}\n");
+    EXPECT_EQ(inches.facts[0].second, "a block");
+    EXPECT_EQ(inches.facts[1].second, "in");
+    EXPECT_EQ(inches.facts[3].second, "0 combinations, 0 of them regions; 1 solids: 1 ell");
+}
+
 TEST(Databases, SolidsInNoCombinationAreDrawnOnlyWhereTheyAreNamed) {
     const std::string left = "put {left.s} ell V {0 0 0} A {9 0 0} B {0 9 0} C {0 0 9}\n";
     const Scene scene = scene_of(test::small_text_v5() + left);

@@ -170,10 +170,23 @@ TEST(ViewScripts, AViewWithoutAnEyeIsLeftOutWithAWarning) {
     Scene scene;
     apply_view(read_view("set width=64 height=48;", "v.rt"), scene);
     EXPECT_TRUE(scene.warnings.empty());
-    apply_view(read_view("ae 35 25; end;", "v.rt"), scene);
+    apply_view(read_view("viewsize 10; orientation 0 0 0 1; end;", "v.rt"), scene);
     EXPECT_TRUE(scene.cameras.empty());
+    EXPECT_FALSE(scene.fitted.parallel);
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_NE(scene.warnings[0].find("no eye_pt"), std::string::npos);
+}
+
+TEST(ViewScripts, AnglesWithoutAnEyeAreTheAutomaticView) {
+    using namespace brlcad;
+    Scene scene;
+    apply_view(read_view("viewsize 10; ae 90 0; end;", "v.rt"), scene);
+    EXPECT_TRUE(scene.cameras.empty());
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_TRUE(scene.fitted.parallel);
+    EXPECT_EQ(scene.fitted.azimuth_deg, 90);
+    EXPECT_EQ(scene.fitted.elevation_deg, 0);
+    EXPECT_EQ(scene.fitted.width, 10);
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ Vec2d shown(const CameraSettings& settings, double aspect, Vec3d p) {
 TEST(FittedCamera, ShowsTheWholeBoxAndLittleElse) {
     for (const Box3d& box :
          {Box3d{{0, 0, 0}, {1, 1, 1}}, Box3d{{100, -50, 3}, {101, 60, 3.5}}, Box3d{{0, 0, 0}, {1e-4, 1e-4, 9}}})
-        for (const double fov : {0.0, 10.0, 40.0, 90.0})
+        for (const double fov : {10.0, 40.0, 90.0})
             for (const double azimuth : {0.0, 35.0, 200.0})
                 for (const double elevation : {-90.0, 0.0, 25.0, 90.0})
                     for (const double aspect : {0.5, 1.0, 2.0}) {
@@ -130,8 +130,20 @@ TEST(FittedCamera, StandsWhereAzimuthAndElevationSay) {
 }
 
 TEST(FittedCamera, TakesBoxesThatAreNone) {
-    for (const Box3d& box : {Box3d{}, Box3d::everything(), Box3d{{2, 2, 2}, {2, 2, 2}}})
-        for (const double fov : {0.0, 40.0}) EXPECT_NO_THROW(Camera(fitted_camera(box, 35, 25, fov, 1), 10, 10));
+    for (const Box3d& box : {Box3d{}, Box3d::everything(), Box3d{{2, 2, 2}, {2, 2, 2}}}) {
+        EXPECT_NO_THROW(Camera(fitted_camera(box, 35, 25, 40, 1), 10, 10));
+        EXPECT_NO_THROW(Camera(automatic_view(box, 35, 25, 0), 10, 10));
+    }
+}
+
+TEST(AutomaticView, IsAsWideAsTheDiagonalOfTheRoundedBox) {
+    const Box3d box{{0.5, 0, -2}, {2.2, 3.5, 10}};  // [0, 3] x [0, 4] x [-2, 10]
+    const CameraSettings camera = automatic_view(box, 0, 0, 0);
+    EXPECT_EQ(camera.projection, CameraSettings::Projection::orthographic);
+    EXPECT_DOUBLE_EQ(camera.width, 13);
+    EXPECT_EQ(camera.look_at, (Vec3d{1.5, 2, 4}));
+    EXPECT_LT(length(camera.eye - Vec3d{1.5 + 1.414 * 6.5, 2, 4}), 1e-12);
+    EXPECT_DOUBLE_EQ(automatic_view(box, 0, 0, 5).width, 5);
 }
 
 }  // namespace

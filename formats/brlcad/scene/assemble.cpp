@@ -6,6 +6,7 @@
 #include <set>
 
 #include "formats/brlcad/scene/charts.hpp"
+#include "formats/brlcad/scene/facts.hpp"
 #include "formats/brlcad/scene/looks.hpp"
 #include "formats/brlcad/scene/regions.hpp"
 #include "formats/brlcad/scene/rt_look.hpp"
@@ -123,6 +124,7 @@ Scene assemble(Database database, const std::string& file, const ReadOptions& op
     scene.file = file;
     scene.warnings = std::move(database.warnings);
     scene.tops = top_objects(database);
+    scene.facts = facts_of(database, scene.tops);
     check_objects(database, options.objects, file);
     Materials materials(scene, look);
     std::vector<std::string> warnings;
@@ -143,12 +145,14 @@ Scene assemble(Database database, const std::string& file, const ReadOptions& op
         scene.names.push_back(std::move(region.path));
     }
     openscad::prune(scene.solids);
+    if (look == Look::rt) scene.fitted.parallel = true;
     if (!options.view_text.empty()) apply_view(read_view(options.view_text, options.view_file), scene);
     if (look == Look::rt) {
         scene.lighting = "rt";
         if (!scene.film.width) scene.film.width = scene.film.height = 512;
         scene.film.samples = 1;
         for (CameraSettings& camera : scene.cameras) camera.pixel_shift = {-0.5, 0.5};
+        scene.fitted.pixel_shift = {-0.5, 0.5};
     }
     return scene;
 }

@@ -101,11 +101,11 @@ private:
         else if (name == "lookat_pt")
             view_.look_at = vector(1);
         else if (name == "viewrot")
-            view_.axes = {axis(1), axis(5), axis(9)};
+            turn({axis(1), axis(5), axis(9)});
         else if (name == "orientation")
             orientation();
         else if (name == "ae")
-            view_.axes = axes_from(number(1), number(2));
+            angles();
         else if (name == "set")
             settings();
         else if (name == "opt")
@@ -122,9 +122,19 @@ private:
         const double size = x * x + y * y + z * z + w * w;
         if (!(size > 0)) fail(words_[0].offset, "found a quaternion of no length");
         const double s = 2 / size;
-        view_.axes = {Vec3d{1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)},
-                      Vec3d{s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)},
-                      Vec3d{s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y)}};
+        turn({Vec3d{1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)},
+              Vec3d{s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)},
+              Vec3d{s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y)}});
+    }
+
+    void turn(const std::array<Vec3d, 3>& axes) {
+        view_.axes = axes;
+        view_.angles_deg.reset();
+    }
+
+    void angles() {
+        view_.angles_deg = {number(1), number(2)};
+        view_.axes = axes_from(view_.angles_deg->x, view_.angles_deg->y);
     }
 
     void settings() {
@@ -203,6 +213,10 @@ void apply_view(const View& view, Scene& scene) {
     if (view.height) scene.film.height = view.height;
     if (scene.film.width.has_value() != scene.film.height.has_value())
         scene.film.width = scene.film.height = scene.film.width.value_or(scene.film.height.value_or(512));
+    if (!view.eye && view.angles_deg && !view.look_at && !(view.perspective_deg > 0)) {
+        scene.fitted = {view.angles_deg->x, view.angles_deg->y, true, std::max(view.size.value_or(0), 0.0), {}};
+        return;
+    }
     if (!view.eye) {
         if (view.size || view.axes || view.look_at || view.perspective_deg > 0)
             scene.warnings.push_back(fmt::format(

@@ -11,6 +11,7 @@ struct View {
     std::optional<double> size;                ///< of an orthographic picture across [mm]
     std::optional<Vec3d> eye, look_at;         ///< [mm]
     std::optional<std::array<Vec3d, 3>> axes;  ///< to the right, up, and towards the eye; unit length
+    std::optional<Vec2d> angles_deg;           ///< azimuth and elevation, where `ae` gave the axes
     double perspective_deg = 0;                ///< horizontal angle of view; 0 is orthographic
     std::optional<int> width, height;          ///< pixels
     std::vector<std::string> warnings;
@@ -22,8 +23,8 @@ struct View {
 /// file:line:column.
 View read_view(const std::string& text, const std::string& file);
 
-/// Puts the view's camera before those of the scene, and its size into the film. A view without an eye gives no camera,
-/// and a warning where it says how to look.
+/// Puts the view's camera before those of the scene, and its size into the film. A view without an eye is rt's
+/// automatic one where `ae` says how to look; else it gives no camera, and a warning where it says something.
 void apply_view(const View& view, Scene& scene);
 
 /// Axes of a view from azimuth and elevation [degrees].
