@@ -19,6 +19,7 @@ public:
     [[nodiscard]] std::uint32_t interior_material(Vec3d) const noexcept override { return leaf_.material; }
     [[nodiscard]] std::size_t leaf_count() const noexcept override { return 1; }
     [[nodiscard]] double area() const noexcept override { return leaf_area(leaf_); }
+    [[nodiscard]] bool is_ball() const noexcept override { return leaf_.solver == Solver::ball; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept override;
 
 private:

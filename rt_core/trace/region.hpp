@@ -31,6 +31,8 @@ public:
     [[nodiscard]] virtual std::size_t leaf_count() const noexcept = 0;
     /// Area of the whole boundary where it is known exactly, else 0.
     [[nodiscard]] virtual double area() const noexcept { return 0; }
+    /// Whether it is known to be the ball that fits its bounds.
+    [[nodiscard]] virtual bool is_ball() const noexcept { return false; }
     [[nodiscard]] virtual std::size_t memory_bytes() const noexcept = 0;
 };
 

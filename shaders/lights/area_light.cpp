@@ -14,9 +14,9 @@
 /// Any transform that does not flatten it is good; a sheared one makes a parallelogram. Rectangles are sampled
 /// uniformly over the solid angle they are seen under, parallelograms and rectangles farther away than one and a half
 /// times their diagonal over their area.
+#include "rt_core/api/solid_angle_rectangle.hpp"
 #include "shaders/lights/lamp.hpp"
 #include "shaders/lights/lights.hpp"
-#include "shaders/lights/solid_angle_rectangle.hpp"
 
 namespace cardioid::shaders {
 namespace {

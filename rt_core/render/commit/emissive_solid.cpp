@@ -4,6 +4,7 @@
 
 #include "rt_core/api/parallel.hpp"
 #include "rt_core/render/commit/make_materials.hpp"
+#include "rt_core/render/commit/seen_box.hpp"
 
 namespace cardioid {
 
@@ -17,8 +18,8 @@ constexpr double power_error = 5e-4;
 constexpr std::array<double, 4> steps{0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101};
 /// Boundaries on one line; more are not walked.
 constexpr int most_crossings = 100'000;
-/// Rounding must not put a point of the solid outside the cone.
-constexpr double sphere_margin = 1 + 1e-4;
+/// Rounding must not put a point of the solid outside the sphere or the box.
+constexpr double margin = 1 + 1e-4;
 
 /// 1 - cos of the half angle under which p sees the sphere; 2 from inside.
 double cone_from(Vec3d to_centre, double radius) {
@@ -49,16 +50,29 @@ Box3d bounds_of(const TriangleSurface& surface) {
 
 }  // namespace
 
-EmissiveSolid::EmissiveSolid(const Box3d& bounds)
-    : centre_(bounds.bounded() ? bounds.centre() : Vec3d{}),
-      radius_(bounds.bounded() ? bounds.diagonal() / 2 * sphere_margin : Box3d::infinity) {}
+EmissiveSolid::EmissiveSolid(const Box3d& bounds, bool is_ball) : radius_(Box3d::infinity) {
+    if (!bounds.bounded()) return;
+    centre_ = bounds.centre();
+    radius_ = (is_ball ? bounds.size().x / 2 : bounds.diagonal() / 2) * margin;
+    if (!is_ball) box_ = bounds.padded((margin - 1) * radius_);
+}
 
 LightSample EmissiveSolid::sample(Vec3d p, Vec2 u) const noexcept {
-    const Vec3d to_centre = centre_ - p;
-    const double cone = cone_from(to_centre, radius_);
     LightSample out;
     out.distance = Box3d::infinity;
     out.trace = true;
+    if (!box_.empty()) {
+        const SeenBox seen(box_, p);
+        if (seen.in_sight()) {
+            const SeenBox::Direction way = seen.sample(u);
+            out.wi = Vec3(way.d), out.pdf = static_cast<float>(way.pdf);
+        } else {
+            out.wi = sample_sphere(u), out.pdf = inv_pi / 4;
+        }
+        return out;
+    }
+    const Vec3d to_centre = centre_ - p;
+    const double cone = cone_from(to_centre, radius_);
     const Vec3 local = sample_cone(u, static_cast<float>(cone));
     out.wi = cone < 2 ? Frame(Vec3(normalize(to_centre))).to_world(local) : local;
     out.pdf = inv_pi / 2 / static_cast<float>(cone);
@@ -66,6 +80,10 @@ LightSample EmissiveSolid::sample(Vec3d p, Vec2 u) const noexcept {
 }
 
 float EmissiveSolid::pdf(Vec3d p, Vec3 wi) const noexcept {
+    if (!box_.empty()) {
+        const SeenBox seen(box_, p);
+        return seen.in_sight() ? static_cast<float>(seen.pdf(Vec3d(wi))) : inv_pi / 4;
+    }
     const Vec3d to_centre = centre_ - p;
     const double cone = cone_from(to_centre, radius_);
     if (cone < 2) {
@@ -78,7 +96,11 @@ float EmissiveSolid::pdf(Vec3d p, Vec3 wi) const noexcept {
 
 EmissiveRegion::EmissiveRegion(const Region& region, std::uint32_t id, std::span<const Material> materials,
                                std::uint32_t most_lines)
-    : EmissiveSolid(region.bounds()), region_(region), id_(id), materials_(materials), most_lines_(most_lines) {}
+    : EmissiveSolid(region.bounds(), region.is_ball()),
+      region_(region),
+      id_(id),
+      materials_(materials),
+      most_lines_(most_lines) {}
 
 Ray EmissiveRegion::line(Vec2 u_place, Vec2 u_direction) const noexcept {
     // The direction first, so that these numbers mean a direction in the world and photons can be aimed by them.
@@ -182,7 +204,7 @@ LightEmission EmissiveRegion::emit(Vec2 u_place, Vec2 u_direction) const noexcep
 }
 
 EmissiveMesh::EmissiveMesh(const TriangleSurface& surface, std::uint32_t id, std::span<const Material> materials)
-    : EmissiveSolid(bounds_of(surface)), surface_(surface), id_(id), material_(materials[surface.material]) {
+    : EmissiveSolid(bounds_of(surface), false), surface_(surface), id_(id), material_(materials[surface.material]) {
     double total = 0;
     double sum[3] = {};
     for (std::size_t i = 0; i < surface.mesh->triangles.size(); ++i) {

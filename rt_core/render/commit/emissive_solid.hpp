@@ -10,9 +10,9 @@
 
 namespace cardioid {
 
-/// A solid or mesh of an emissive material as a light. Directions are drawn uniformly within the cone around its
-/// bounding sphere, from inside that sphere over all directions; what they find on it is left to a ray
-/// (LightSample::trace), so any shape, its holes included, lights the scene without bias.
+/// A solid or mesh of an emissive material as a light. Directions are drawn among those that meet its box (SeenBox),
+/// or, of a ball, evenly within its cone; from inside of either over all directions. What they find on it is left to a
+/// ray (LightSample::trace), so any shape, its holes included, lights the scene without bias.
 class EmissiveSolid : public Light {
 public:
     [[nodiscard]] LightSample sample(Vec3d p, Vec2 u) const noexcept final;
@@ -20,10 +20,12 @@ public:
     [[nodiscard]] Rgb power() const noexcept final { return power_; }
 
 protected:
-    explicit EmissiveSolid(const Box3d& bounds);
+    /// is_ball: the solid fills the ball within its box.
+    EmissiveSolid(const Box3d& bounds, bool is_ball);
 
     Vec3d centre_;
     double radius_;  ///< of the bounding sphere; infinite until prepare() for unbounded solids
+    Box3d box_;      ///< around it, with room for rounding; empty where the sphere is what directions are drawn from
     Rgb power_;
 };
 

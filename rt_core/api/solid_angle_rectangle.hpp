@@ -5,7 +5,7 @@
 
 #include "rt_core/api/math.hpp"
 
-namespace cardioid::shaders {
+namespace cardioid {
 
 /// A rectangle as seen from a point, sampled uniformly over its solid angle (Urena, Fajardo, King 2013, "An
 /// Area-Preserving Parametrization for Spherical Rectangles").
@@ -49,4 +49,4 @@ private:
     double b0_, b1_, k_, solid_angle_;
 };
 
-}  // namespace cardioid::shaders
+}  // namespace cardioid
