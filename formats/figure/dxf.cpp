@@ -7,6 +7,7 @@
 #include "formats/figure/figure_file.hpp"
 #include "formats/figure/join_lines.hpp"
 #include "formats/mesh/text_cursor.hpp"
+#include "rt_core/api/error.hpp"
 
 namespace cardioid::formats {
 namespace {
@@ -86,7 +87,10 @@ private:
         const auto placed = [&](Vec2d p) {
             return Vec2d{c * p.x * sx - s * p.y * sy, s * p.x * sx + c * p.y * sy} * scale + to;
         };
-        const std::vector<Line> lines = block->second;  // a block may insert itself
+        constexpr std::size_t most_lines = 10'000'000;
+        const std::vector<Line> lines = block->second;  // a block may insert itself, again and again
+        if (out.size() + lines.size() > most_lines)
+            throw Error(ErrorCode::limit, file_ + ": found blocks that make more than ten million lines");
         for (const Line& line : lines) out.push_back({placed(line.a), placed(line.b)});
     }
 

@@ -16,6 +16,12 @@ double to_number(std::string_view text) {
     return std::isfinite(out) ? out : 0;
 }
 
+/// What an arc from one angle to another runs through, once around at most; damaged drawings have any angle.
+double sweep_of(double from, double to, double whole) {
+    const double sweep = from > to ? to - from + whole * std::ceil((from - to) / whole) : to - from;
+    return sweep >= 0 && sweep <= whole ? sweep : std::isfinite(sweep) ? std::fmod(std::abs(sweep), whole) : whole;
+}
+
 /// The lines of a curve p(0) ... p(1).
 template <class Curve>
 void trace(int steps, Curve&& p, std::vector<Line>& out) {
@@ -76,7 +82,7 @@ bool DxfEntity::draw(const FigureOptions& options, bool top_level, std::vector<L
 void DxfEntity::polyline(const FigureOptions& options, bool top_level, std::vector<Line>& out) const {
     const std::size_t n = std::min(xs_.size(), ys_.size());
     for (std::size_t i = 1; i < n; ++i) out.push_back({point(i - 1, options, top_level), point(i, options, top_level)});
-    const bool closed = static_cast<int>(number(70, 0)) & 1;
+    const bool closed = std::fmod(std::abs(number(70, 0)), 2) >= 1;
     if (closed && n > 1) out.push_back({point(n - 1, options, top_level), point(0, options, top_level)});
 }
 
@@ -84,8 +90,8 @@ void DxfEntity::arc(double from_deg, double to_deg, const FigureOptions& options
                     std::vector<Line>& out) const {
     const Vec2d centre = point(0, options, top_level);
     const double r = number(40, 0) * (top_level ? options.scale : 1);
-    if (from_deg > to_deg) to_deg += 360 * std::ceil((from_deg - to_deg) / 360);
-    const double from = from_deg * (std::numbers::pi / 180), sweep = (to_deg - from_deg) * (std::numbers::pi / 180);
+    const double from = from_deg * (std::numbers::pi / 180);
+    const double sweep = sweep_of(from_deg, to_deg, 360) * (std::numbers::pi / 180);
     trace(
         arc_steps(r, sweep, options),
         [&](double t) {
@@ -101,12 +107,11 @@ void DxfEntity::ellipse(const FigureOptions& options, bool top_level, std::vecto
     const Vec2d major = Vec2d{xs_[1], ys_[1]} * (top_level ? options.scale : 1);
     const Vec2d minor = Vec2d{-major.y, major.x} * number(40, 1);
     const double from = number(41, 0);
-    double to = number(42, 2 * std::numbers::pi);
-    if (from > to) to += 2 * std::numbers::pi * std::ceil((from - to) / (2 * std::numbers::pi));
+    const double sweep = sweep_of(from, number(42, 2 * std::numbers::pi), 2 * std::numbers::pi);
     trace(
-        arc_steps(length(major), to - from, options),
+        arc_steps(length(major), sweep, options),
         [&](double t) {
-            const double a = from + t * (to - from);
+            const double a = from + t * sweep;
             return centre + major * std::cos(a) + minor * std::sin(a);
         },
         out);

@@ -92,6 +92,10 @@ private:
             node.root().find_node([&](const pugi::xml_node& n) { return id == n.attribute("id").value(); });
         constexpr int deepest = 100;  // an element may use itself
         if (!target || depth > deepest) return;
+        constexpr int most_uses = 100'000;  // each may be of two more
+        if (++uses_ > most_uses)
+            throw Error(ErrorCode::limit,
+                        file_ + ": found more than " + std::to_string(most_uses) + " uses of elements");
         element(target, map * Affine::translation({number(node, "x"), number(node, "y"), 0}), depth + 1);
     }
 
@@ -182,6 +186,8 @@ private:
         for (auto& contour : figure.contours)
             for (Vec2d& p : contour) {
                 const Vec3d q = map.point({p.x, p.y, 0});
+                if (!is_finite(q))
+                    throw Error(ErrorCode::bad_input, file_ + ": found a point that is beyond all numbers");
                 p = {q.x, q.y};
             }
         out_.figures.push_back(std::move(figure));
@@ -209,6 +215,7 @@ private:
     SvgPage page_;
     FigureFile out_;
     std::map<std::string, int> unknown_;
+    int uses_ = 0;
 };
 
 }  // namespace

@@ -189,6 +189,7 @@ void append_arc(Vec2d from, const SvgArc& arc, Vec2d to, const SvgFineness& fine
     double sweep = std::atan2((-p.y - q.y) / ry, (-p.x - q.x) / rx) - begin;
     if (sweep < 0) sweep += 2 * std::numbers::pi;
     if (!arc.sweep) sweep -= 2 * std::numbers::pi;
+    if (!std::isfinite(sweep)) return out.push_back(to);  // of radii whose squares are beyond all numbers
     const int steps = static_cast<int>(std::abs(sweep) * fineness.half_turn / std::numbers::pi) + 4;
     for (int i = 1; i < steps; ++i) {
         const double a = begin + sweep * i / steps, x = rx * std::cos(a), y = ry * std::sin(a);

@@ -55,6 +55,8 @@ private:
     void place(const Json& index, const Affine& outer, int depth) {
         constexpr int deepest = 1000;
         if (depth > deepest) throw Error(ErrorCode::bad_input, file_ + ": found a node within itself");
+        constexpr int most = 1'000'000;  // of a few nodes each may have two of the next
+        if (++placed_ > most) throw Error(ErrorCode::limit, file_ + ": found more than a million nodes");
         const Json& node = root_.at("nodes").at(index.get<std::size_t>());
         const Affine map = outer * map_of(node);
         for (const Json& child : node.value("children", Json::array())) place(child, map, depth + 1);
@@ -86,6 +88,7 @@ private:
     const GltfBuffers& buffers_;
     const std::string& file_;
     MeshBuilder& mesh_;
+    int placed_ = 0;
 };
 
 }  // namespace

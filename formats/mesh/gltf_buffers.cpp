@@ -73,8 +73,8 @@ std::string GltfBuffers::elements(const Json& accessor, std::size_t width) const
     const std::size_t count = accessor.at("count").get<std::size_t>();
     const std::size_t stride = view.value("byteStride", width);
     const std::size_t begin = view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
-    if (count > 0 && (stride < width || begin > buffer.size() || count > buffer.size() / width ||
-                      begin + (count - 1) * stride + width > buffer.size()))
+    if (count > 0 && (stride < width || (count > 1 && stride > buffer.size()) || begin > buffer.size() ||
+                      count > buffer.size() / width || begin + (count - 1) * stride + width > buffer.size()))
         throw Error(ErrorCode::bad_input, file_ + ": found an accessor past the end of its buffer");
     std::string out;
     out.reserve(count * width);

@@ -50,6 +50,8 @@ private:
         if (object == objects_.end())
             throw Error(ErrorCode::bad_input, file_ + ": found object " + quoted(id) + " that is not there");
         if (depth > deepest) throw Error(ErrorCode::bad_input, file_ + ": found an object within itself");
+        constexpr int most = 1'000'000;  // of a few components each are two of the next
+        if (++placed_ > most) throw Error(ErrorCode::limit, file_ + ": found more than a million components");
         for (const pugi::xml_node& part : object->second.child("components").children("component"))
             place(part.attribute("objectid").value(), map * map_of(part), depth + 1);
         if (const pugi::xml_node mesh = object->second.child("mesh")) add(mesh, map);
@@ -73,6 +75,7 @@ private:
     const std::string& file_;
     MeshBuilder& mesh_;
     std::map<std::string, pugi::xml_node> objects_;
+    int placed_ = 0;
 };
 
 }  // namespace

@@ -21,6 +21,9 @@ double xml_number(const char* text, const std::string& file, const char* wanted)
 
 void add_part(const std::vector<Vec3d>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles,
               const Affine& map, const std::string& file, MeshBuilder& mesh) {
+    constexpr std::size_t most = 100'000'000;  // a part may be placed again and again
+    if (mesh.vertex_count() + vertices.size() > most)
+        throw Error(ErrorCode::limit, file + ": found parts of more than a hundred million corners");
     const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
     for (const Vec3d v : vertices) mesh.add_vertex(map.point(v));
     const bool mirrored = map.determinant() < 0;

@@ -2,12 +2,11 @@
 
 #include "formats/brlcad/brlcad_format.hpp"
 #include "formats/brlcad/view/view_script.hpp"
-#include "formats/openscad/openscad_format.hpp"
-#include "rt_core/plugin/registry.hpp"
 #include "rt_core/scene/scene.hpp"
 #include "tests/brlcad/database_writer.hpp"
 #include "tests/brlcad/primitive_models.hpp"
 #include "tests/fuzz/mutate.hpp"
+#include "tests/text_file.hpp"
 
 namespace cardioid::formats {
 namespace {
@@ -32,6 +31,15 @@ TEST(DamagedFiles, OfSolidsWithCountsAreReadOrRefused) {
     }
 }
 
+TEST(DamagedFiles, OfEveryPrimitiveAreReadOrRefused) {
+    const std::string sample = test::file_text(CARDIOID_SOURCE_DIR "/samples/brlcad/pieces.asc");
+    const auto read = [](const std::string& text) {
+        return brlcad_format.read(text, "model", {}).solids.leaves.size();
+    };
+    EXPECT_GE(read(sample), 16U);
+    survive(sample, 11, [&](const std::string& text) { static_cast<void>(read(text)); });
+}
+
 TEST(DamagedFiles, OfViewScriptsAreReadOrRefused) {
     const auto read = [](const std::string& text) {
         Scene scene;
@@ -47,19 +55,6 @@ TEST(DamagedFiles, OfViewScriptsAreReadOrRefused) {
         EXPECT_EQ(read(sample), 1U);
         survive(sample, seed++, [&](const std::string& text) { static_cast<void>(read(text)); });
     }
-}
-
-TEST(DamagedFiles, OfScenesAreReadOrRefused) {
-    const std::unique_ptr<Registry> registry = make_registry();
-    ReadOptions options;
-    options.registry = registry.get();
-    const std::string sample =
-        "difference() { cube([4, 5, 6], center = true); translate([1, 0, 0]) sphere(r = 2, $fn = 8); }\n"
-        "multmatrix([[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) cylinder(h = 2, r1 = 1, r2 = 0.5);\n"
-        "polyhedron(points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces = [[0, 1, 2], [0, 3, 1], [1, 3, 2], "
-        "[2, 3, 0]]);\n";
-    survive(sample, 4,
-            [&](const std::string& text) { static_cast<void>(csg_format.read(text, "model.csg", options)); });
 }
 
 }  // namespace
