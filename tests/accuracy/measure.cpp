@@ -74,6 +74,8 @@ Bench::Size Bench::first_size(const Place& place) const {
 
 /// False where all that is allowed has been done.
 bool Bench::grow(Size& size, const Effort& effort, double lack, bool samples_help) const {
+    // That samples do not help may have been chance; where there may be no more runs they are all there is.
+    samples_help = samples_help || (prepares() && size.runs >= effort.most_runs);
     if (samples_help && std::uint64_t{size.runs} * size.each < effort.most_samples) {
         // Errors of even points fall faster than the root of their number, but not always.
         const auto most = static_cast<std::uint32_t>(effort.most_samples / size.runs);
