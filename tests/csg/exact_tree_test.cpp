@@ -118,7 +118,7 @@ TEST(ExactTree, EvaluationEndsWhereTheUserWantsToStop) {
     SolidTree tree;
     const std::uint32_t a = tree.add_leaf(turned_box(random)), b = tree.add_leaf(turned_box(random));
     const std::uint32_t node = tree.add_node(SolidOp::unite, {a, b});
-    Impatient after_leaves(0.6), never(2);
+    Impatient after_leaves(0.5), never(2);  // the union weighs as much as its two leaves
     try {
         evaluate_mesh(tree, node, 0, &after_leaves);
         FAIL() << "was not stopped";

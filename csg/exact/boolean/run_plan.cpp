@@ -17,7 +17,12 @@ public:
     PlanRunner(std::span<const PlannedBoolean> plan, std::span<const TriangleMesh> leaves, Progress* progress)
         : plan_(plan), leaves_(leaves), progress_(progress), solids_(plan.size()), failures_(plan.size()) {
         levels_.resize(plan.back().height + 1);
-        for (std::uint32_t i = 0; i < plan.size(); ++i) levels_[plan[i].height].push_back(i);
+        for (std::uint32_t i = 0; i < plan.size(); ++i) {
+            levels_[plan[i].height].push_back(i);
+            work_.push_back(plan[i].op == SolidOp::leaf ? 1 : 0);
+            for (const std::uint32_t part : plan[i].parts) work_[i] += work_[part];
+            all_work_ += work_[i];
+        }
     }
 
     TriangleMesh run() {
@@ -55,7 +60,7 @@ private:
             for (const std::uint32_t part : at.parts) parts.push_back(solids_[part]);
             solids_[step] = mesh_boolean(at.op, std::move(parts));
         }
-        if (progress_) progress_->update(static_cast<double>(++done_) / static_cast<double>(plan_.size()));
+        if (progress_) progress_->update((done_ += work_[step]) / all_work_);
     }
 
     /// The height of the highest step that needs this one.
@@ -75,7 +80,9 @@ private:
     std::vector<std::exception_ptr> failures_;
     std::vector<std::vector<std::uint32_t>> levels_;
     std::vector<std::uint32_t> last_users_;
-    std::atomic<std::size_t> done_{0};
+    std::vector<double> work_;  ///< leaves below each step: about how long it takes
+    double all_work_ = 0;
+    std::atomic<double> done_{0};
 };
 
 }  // namespace
