@@ -13,7 +13,7 @@ namespace {
 constexpr unsigned solids_geometry = 0;
 
 /// Two boundaries closer than this, relative to the distance and the scene, are one; the later solid shows.
-constexpr double tie_tolerance = 1e-11;
+constexpr double tie_tolerance = 1e-9;
 
 /// Embree's rays are floats: a start on a triangle is lifted off it by this much of its largest coordinate,
 /// four units in the last place.

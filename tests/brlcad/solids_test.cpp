@@ -138,39 +138,56 @@ TEST(BrlcadLooks, AirIsLeftOutAndMissingObjectsAreNamed) {
 
 TEST(ViewScripts, RotationsQuaternionsAndAnglesAreTheSameView) {
     using namespace brlcad;
-    const View angles = read_view("viewsize 10; eye_pt 1 2 3; ae 35 25; end;", "v.rt");
-    const View rows = read_view(
-        "viewsize 10;\neye_pt 1 2 3;\nviewrot -.573576436 .819152044 0 0 -.346188613 -.242403876 "
-        ".906307787 0 .742403877 .519836826 .422618262 0 0 0 0 1;\nstart 0; end;",
-        "v.rt");
+    const View angles = read_views("viewsize 10; eye_pt 1 2 3; ae 35 25; end;", "v.rt").front();
+    const View rows = read_views(
+                          "viewsize 10;\neye_pt 1 2 3;\nviewrot -.573576436 .819152044 0 0 -.346188613 -.242403876 "
+                          ".906307787 0 .742403877 .519836826 .422618262 0 0 0 0 1;\nstart 0; end;",
+                          "v.rt")
+                          .front();
     for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(length((*angles.axes)[i] - (*rows.axes)[i]), 1e-7);
-    const View quarter = read_view("orientation 0 0 0.70710678118654752 0.70710678118654752;", "v.rt");
+    const View quarter = read_views("orientation 0 0 0.70710678118654752 0.70710678118654752;", "v.rt").front();
     EXPECT_LT(length((*quarter.axes)[0] - Vec3d{0, 1, 0}), 1e-12);
-    EXPECT_THROW(static_cast<void>(read_view("viewsise 10;", "v.rt")), Error);
+    EXPECT_THROW(static_cast<void>(read_views("viewsise 10;", "v.rt")), Error);
     Scene scene;
-    apply_view(angles, scene);
+    apply_views({angles}, scene);
     ASSERT_EQ(scene.cameras.size(), 1U);
     EXPECT_EQ(scene.cameras[0].width, 10);
     EXPECT_EQ(scene.cameras[0].projection, CameraSettings::Projection::orthographic);
 }
 
-TEST(ViewScripts, OfSeveralPicturesTheFirstIsDrawnWithAWarning) {
+TEST(ViewScripts, OfSeveralPicturesGiveACameraEach) {
     using namespace brlcad;
     const std::string one = "viewsize 10; eye_pt 1 2 3; start 0; end;";
-    EXPECT_TRUE(read_view(one, "v.rt").warnings.empty());
-    EXPECT_TRUE(read_view(one + " # start 1; end;\n", "v.rt").warnings.empty());
-    const View view = read_view(one + "start 1; viewsize 20; end; start 2; end;", "v.rt");
-    EXPECT_EQ(view.size, 10);
-    ASSERT_EQ(view.warnings.size(), 1U);
-    EXPECT_EQ(view.warnings[0], "v.rt: the first of 3 pictures is drawn");
+    Scene scene;
+    apply_views(read_views(one + " # start 1; end;\n", "v.rt"), scene);
+    EXPECT_TRUE(scene.warnings.empty());
+    ASSERT_EQ(scene.cameras.size(), 1U);
+    scene = {};
+    apply_views(
+        read_views(
+            one + "start 1; viewsize 20; end; start 7; clean; viewsize 1; eye_pt 9 0 0; set perspective=40; end;",
+            "v.rt"),
+        scene);
+    ASSERT_EQ(scene.cameras.size(), 3U);
+    EXPECT_EQ(scene.cameras[0].width, 10);
+    EXPECT_EQ(scene.cameras[1].width, 20);
+    EXPECT_EQ(scene.cameras[1].eye, (Vec3d{1, 2, 3})) << "what is not said again stays";
+    EXPECT_EQ(scene.cameras[1].name, "1");
+    EXPECT_EQ(scene.cameras[2].name, "7");
+    EXPECT_EQ(scene.cameras[2].width, 1);
+    EXPECT_EQ(scene.cameras[2].fov_deg, 40);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_NE(scene.warnings[0].find("3 pictures; the first is drawn unless --camera names another: 0, 1, 7"),
+              std::string::npos)
+        << scene.warnings[0];
 }
 
 TEST(ViewScripts, AViewWithoutAnEyeIsLeftOutWithAWarning) {
     using namespace brlcad;
     Scene scene;
-    apply_view(read_view("set width=64 height=48;", "v.rt"), scene);
+    apply_views(read_views("set width=64 height=48;", "v.rt"), scene);
     EXPECT_TRUE(scene.warnings.empty());
-    apply_view(read_view("viewsize 10; orientation 0 0 0 1; end;", "v.rt"), scene);
+    apply_views(read_views("viewsize 10; orientation 0 0 0 1; end;", "v.rt"), scene);
     EXPECT_TRUE(scene.cameras.empty());
     EXPECT_FALSE(scene.fitted.parallel);
     ASSERT_EQ(scene.warnings.size(), 1U);
@@ -180,7 +197,7 @@ TEST(ViewScripts, AViewWithoutAnEyeIsLeftOutWithAWarning) {
 TEST(ViewScripts, AnglesWithoutAnEyeAreTheAutomaticView) {
     using namespace brlcad;
     Scene scene;
-    apply_view(read_view("viewsize 10; ae 90 0; end;", "v.rt"), scene);
+    apply_views(read_views("viewsize 10; ae 90 0; end;", "v.rt"), scene);
     EXPECT_TRUE(scene.cameras.empty());
     EXPECT_TRUE(scene.warnings.empty());
     EXPECT_TRUE(scene.fitted.parallel);

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "rt_core/api/error.hpp"
@@ -34,6 +35,12 @@ void keep_current(int number) {
     if (current && file >= 0 && ::write(file, current->data(), current->size()) < 0) ::_exit(number);
     std::signal(number, SIG_DFL);
     std::raise(number);
+}
+
+/// Of CPU time from now on, until SIGPROF; 0: no limit.
+void limit_seconds(unsigned seconds) {
+    const itimerval limit{{}, {static_cast<time_t>(seconds), 0}};
+    ::setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
 class Damage {
@@ -132,14 +139,14 @@ std::size_t mutations() {
 }
 
 void survive(const std::string& sample, unsigned seed, const std::function<void(const std::string&)>& read) {
-    for (const int number : {SIGABRT, SIGALRM, SIGSEGV, SIGFPE}) std::signal(number, keep_current);
+    for (const int number : {SIGABRT, SIGPROF, SIGSEGV, SIGFPE}) std::signal(number, keep_current);
     std::mt19937 random(seed);
     std::size_t refused = 0;
     for (std::size_t i = 0; i < mutations(); ++i) {
         const std::string text = mutated(sample, random);
         const long before = peak();
         current = &text;
-        ::alarm(most_seconds);
+        limit_seconds(most_seconds);
         try {
             read(text);
         } catch (const Error& error) {
@@ -148,7 +155,7 @@ void survive(const std::string& sample, unsigned seed, const std::function<void(
         }
         if (peak() - before > most_kilobytes) std::abort();
     }
-    ::alarm(0);
+    limit_seconds(0);
     current = nullptr;
     EXPECT_GT(refused, 0U);  // else nothing was damaged
 }

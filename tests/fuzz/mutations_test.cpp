@@ -43,7 +43,7 @@ TEST(DamagedFiles, OfEveryPrimitiveAreReadOrRefused) {
 TEST(DamagedFiles, OfViewScriptsAreReadOrRefused) {
     const auto read = [](const std::string& text) {
         Scene scene;
-        brlcad::apply_view(brlcad::read_view(text, "view.rt"), scene);
+        brlcad::apply_views(brlcad::read_views(text, "view.rt"), scene);
         return scene.cameras.size();
     };
     unsigned seed = 8;
@@ -52,7 +52,7 @@ TEST(DamagedFiles, OfViewScriptsAreReadOrRefused) {
           "start 0; clean; end;\nstart 1; ae 35 25; end;\n",
           "viewsize 10;\neye_pt 1 2 3;\nviewrot 0 1 0 0 0 0 1 0 1 0 0 0 0 0 0 1;\norientation 0 0 .6 .8;\nend;\n",
           "10\n1 2 3\n0 1 0 0\n0 0 1 0\n1 0 0 0\n0 0 0 1\n"}) {
-        EXPECT_EQ(read(sample), 1U);
+        EXPECT_GT(read(sample), 0U);
         survive(sample, seed++, [&](const std::string& text) { static_cast<void>(read(text)); });
     }
 }

@@ -16,6 +16,7 @@ void survive_scene(const std::string& sample, unsigned seed) {
     shaders::add_builtins(*registry);
     ReadOptions options;
     options.registry = registry.get();
+    options.settings = {{"triangles", "100000"}};  // so that no more than the bound of memory is asked for
     const auto read = [&](const std::string& text) {
         return csg_format.read(text, "model.csg", options).solids.leaves.size();
     };

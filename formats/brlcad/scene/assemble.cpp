@@ -146,7 +146,7 @@ Scene assemble(Database database, const std::string& file, const ReadOptions& op
     }
     openscad::prune(scene.solids);
     if (look == Look::rt) scene.fitted.parallel = true;
-    if (!options.view_text.empty()) apply_view(read_view(options.view_text, options.view_file), scene);
+    if (!options.view_text.empty()) apply_views(read_views(options.view_text, options.view_file), scene);
     if (look == Look::rt) {
         scene.lighting = "rt";
         if (!scene.film.width) scene.film.width = scene.film.height = 512;

@@ -23,11 +23,12 @@ class ScriptReader {
 public:
     ScriptReader(const std::string& text, const std::string& file) : text_(text), file_(file) {}
 
-    View run() {
-        if (old_form()) return std::move(view_);
-        while (!ended_ && next_command()) command();
-        warn_of_further_pictures();
-        return std::move(view_);
+    std::vector<View> run() {
+        if (!old_form())
+            while (next_command()) command();
+        if (views_.empty()) views_.push_back(view_);
+        views_.front().warnings = std::move(warnings_);
+        return std::move(views_);
     }
 
 private:
@@ -110,8 +111,10 @@ private:
             settings();
         else if (name == "opt")
             options();
+        else if (name == "start" && words_.size() > 1)
+            view_.name = words_[1].text;
         else if (name == "end")
-            ended_ = true;
+            views_.push_back(view_);
         else
             other(name);
     }
@@ -178,53 +181,22 @@ private:
                                                name.substr(0, 40), did_you_mean(name, known)));
         }
         if (name != "start" && name != "clean" && name != "prep")
-            view_.warnings.push_back(
-                fmt::format("{}: \"{}\" is left out: one picture is drawn, of the objects named for it", file_, name));
-    }
-
-    void warn_of_further_pictures() {
-        std::size_t pictures = ended_ ? 1 : 0;
-        while (next_command()) pictures += words_[0].text == "end";
-        if (pictures > 1)
-            view_.warnings.push_back(fmt::format("{}: the first of {} pictures is drawn", file_, pictures));
+            warnings_.push_back(
+                fmt::format("{}: \"{}\" is left out: pictures are drawn of the objects named for them", file_, name));
     }
 
     const std::string& text_;
     const std::string& file_;
     std::vector<Word> words_;
     std::size_t at_ = 0;
-    bool ended_ = false;
-    View view_;
+    View view_;  ///< as far as it is known
+    std::vector<View> views_;
+    std::vector<std::string> warnings_;
 };
 
-}  // namespace
-
-std::array<Vec3d, 3> axes_from(double azimuth_deg, double elevation_deg) {
-    const auto [sa, ca] = csg::sin_cos_deg(azimuth_deg);
-    const auto [se, ce] = csg::sin_cos_deg(elevation_deg);
-    return {Vec3d{-sa, ca, 0}, Vec3d{-se * ca, -se * sa, ce}, Vec3d{ce * ca, ce * sa, se}};
-}
-
-View read_view(const std::string& text, const std::string& file) { return ScriptReader(text, file).run(); }
-
-void apply_view(const View& view, Scene& scene) {
-    scene.warnings.insert(scene.warnings.end(), view.warnings.begin(), view.warnings.end());
-    if (view.width) scene.film.width = view.width;
-    if (view.height) scene.film.height = view.height;
-    if (scene.film.width.has_value() != scene.film.height.has_value())
-        scene.film.width = scene.film.height = scene.film.width.value_or(scene.film.height.value_or(512));
-    if (!view.eye && view.angles_deg && !view.look_at && !(view.perspective_deg > 0)) {
-        scene.fitted = {view.angles_deg->x, view.angles_deg->y, true, std::max(view.size.value_or(0), 0.0), {}};
-        return;
-    }
-    if (!view.eye) {
-        if (view.size || view.axes || view.look_at || view.perspective_deg > 0)
-            scene.warnings.push_back(fmt::format(
-                "{}: the view script has no eye_pt, and its view is left out: the camera is fitted", scene.file));
-        return;
-    }
+CameraSettings camera_of(const View& view) {
     CameraSettings camera;
-    camera.name = "view";
+    camera.name = view.name;
     camera.eye = *view.eye;
     const double reach = view.size.value_or(1) > 0 ? view.size.value_or(1) : 1;
     if (view.look_at && !view.axes) {
@@ -241,7 +213,52 @@ void apply_view(const View& view, Scene& scene) {
     } else {
         camera.projection = CameraSettings::Projection::orthographic;
     }
-    scene.cameras.insert(scene.cameras.begin(), camera);
+    return camera;
+}
+
+/// Film and fitted camera by the first view.
+void apply_first(const View& view, Scene& scene) {
+    if (view.width) scene.film.width = view.width;
+    if (view.height) scene.film.height = view.height;
+    if (scene.film.width.has_value() != scene.film.height.has_value())
+        scene.film.width = scene.film.height = scene.film.width.value_or(scene.film.height.value_or(512));
+    if (view.eye) return;
+    if (view.angles_deg && !view.look_at && !(view.perspective_deg > 0))
+        scene.fitted = {view.angles_deg->x, view.angles_deg->y, true, std::max(view.size.value_or(0), 0.0), {}};
+    else if (view.size || view.axes || view.look_at || view.perspective_deg > 0)
+        scene.warnings.push_back(fmt::format(
+            "{}: the view script has no eye_pt, and its view is left out: the camera is fitted", scene.file));
+}
+
+}  // namespace
+
+std::array<Vec3d, 3> axes_from(double azimuth_deg, double elevation_deg) {
+    const auto [sa, ca] = csg::sin_cos_deg(azimuth_deg);
+    const auto [se, ce] = csg::sin_cos_deg(elevation_deg);
+    return {Vec3d{-sa, ca, 0}, Vec3d{-se * ca, -se * sa, ce}, Vec3d{ce * ca, ce * sa, se}};
+}
+
+std::vector<View> read_views(const std::string& text, const std::string& file) {
+    return ScriptReader(text, file).run();
+}
+
+void apply_views(const std::vector<View>& views, Scene& scene) {
+    const View& first = views.front();
+    scene.warnings.insert(scene.warnings.end(), first.warnings.begin(), first.warnings.end());
+    apply_first(first, scene);
+    std::vector<CameraSettings> cameras;
+    std::string names;
+    for (const View& view : views) {
+        if (!view.eye) continue;
+        cameras.push_back(camera_of(view));
+        constexpr std::size_t named = 5;
+        if (cameras.size() <= named + 1)
+            names += (cameras.size() > 1 ? ", " : "") + (cameras.size() > named ? "..." : view.name);
+    }
+    if (views.size() > 1)
+        scene.warnings.push_back(fmt::format("{}: {} pictures; the first is drawn unless --camera names another: {}",
+                                             scene.file, views.size(), names));
+    scene.cameras.insert(scene.cameras.begin(), cameras.begin(), cameras.end());
 }
 
 }  // namespace cardioid::formats::brlcad

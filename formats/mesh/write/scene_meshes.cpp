@@ -3,6 +3,7 @@
 #include <atomic>
 #include <exception>
 #include <map>
+#include <numeric>
 
 #include "csg/exact/evaluate_mesh.hpp"
 #include "csg/exact/tessellate.hpp"
@@ -64,36 +65,49 @@ struct RegionMesh {
     std::exception_ptr failure;
 };
 
-/// Regions are what counts, not the booleans within one.
+/// How far the work on all regions is, each as much of it as it has leaves.
+struct AllRegions {
+    Progress* progress;
+    double leaves = 0;
+    std::atomic<double> done{0};
+};
+
+/// What one region adds to that.
 class RegionProgress final : public Progress {
 public:
-    RegionProgress(Progress* whole, std::size_t regions) : whole_(whole), regions_(regions) {
-        if (whole_) whole_->begin("evaluate");
+    RegionProgress(AllRegions& all, double leaves) : all_(all), leaves_(leaves) {}
+    void update(double share) override {
+        double told = told_.load();
+        while (share > told && !told_.compare_exchange_weak(told, share)) {
+        }
+        if (share > told && all_.progress) all_.progress->update((all_.done += leaves_ * (share - told)) / all_.leaves);
     }
-    void one_more() {
-        const std::size_t done = ++done_;
-        if (whole_) whole_->update(static_cast<double>(done) / static_cast<double>(regions_));
-    }
-    [[nodiscard]] bool interrupted() const noexcept override { return whole_ && whole_->interrupted(); }
+    [[nodiscard]] bool interrupted() const noexcept override { return all_.progress && all_.progress->interrupted(); }
 
 private:
-    Progress* whole_;
-    std::size_t regions_;
-    std::atomic<std::size_t> done_{0};
+    AllRegions& all_;
+    double leaves_;
+    std::atomic<double> told_{0};
 };
 
 /// All regions at once, each by one thread; what fails is told in the order of the file.
 std::vector<RegionMesh> region_meshes(const SolidTree& tree, double tolerance, Progress* progress) {
     std::vector<RegionMesh> out(tree.roots.size());
-    RegionProgress shared(progress, out.size());
+    std::vector<double> leaves(out.size(), 1);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        csg::for_each_leaf(tree, tree.roots[i], [&](const Leaf&) { ++leaves[i]; });
+    AllRegions all{progress, std::accumulate(leaves.begin(), leaves.end(), 0.0)};
+    if (progress) progress->begin("evaluate");
     parallel_for(static_cast<std::int64_t>(out.size()), [&](std::int64_t i) {
-        RegionMesh& region = out[static_cast<std::size_t>(i)];
+        const auto at = static_cast<std::size_t>(i);
+        RegionMesh& region = out[at];
+        RegionProgress share(all, leaves[at]);
         try {
-            region.mesh = csg::evaluate_mesh(tree, tree.roots[static_cast<std::size_t>(i)], tolerance, &shared);
+            region.mesh = csg::evaluate_mesh(tree, tree.roots[at], tolerance, &share);
         } catch (...) {
             region.failure = std::current_exception();
         }
-        shared.one_more();
+        share.update(1);
     });
     return out;
 }

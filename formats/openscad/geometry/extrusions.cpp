@@ -132,7 +132,7 @@ Extrusion linear_extrusion(std::span<const Plane> parts, const Arguments& args, 
     how.height = extrusion_height(args);
     how.centre = args.boolean("center", false);
     how.twist_deg = args.number("twist", 0);
-    how.slices = static_cast<int>(std::clamp(args.number("slices", 0), 0.0, 1e6));
+    how.slices = static_cast<int>(std::clamp(args.number("slices", 0), 0.0, 2e9));
     how.scale = top_scale(args);
     how.facets = facet_settings(args);
     if (!std::isfinite(how.twist_deg) || !std::isfinite(how.scale.x) || !std::isfinite(how.scale.y))
