@@ -131,7 +131,8 @@ std::vector<Try> try_out(const World& world, const PhotonOptions& options, std::
     const std::uint64_t chunks = (list.total + chunk_size - 1) / chunk_size;
     parallel_for(static_cast<std::int64_t>(chunks), [&](std::int64_t c) {
         if (progress.interrupted()) return;
-        PhotonPath path(world, {options.roulette, false}, {.keep = Keep::caustics});
+        PhotonPath path(world, {options.roulette, false},
+                        {.keep = Keep::caustics, .broad_apart = options.mode == Mode::physical});
         PhotonStream numbers(seed, Pass::aim);
         const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
         auto batch = std::upper_bound(list.batches.begin(), list.batches.end(), first,

@@ -80,7 +80,8 @@ Shot shoot(const World& world, const PhotonOptions& options, const ShotRequest& 
         if (progress.interrupted()) return;
         const std::uint64_t first = static_cast<std::uint64_t>(c) * chunk_size;
         PhotonPath path(world, {options.roulette, options.rr_double_count},
-                        {request.keep, request.unwanted, options.store, shot.origin, shot.flux_scale, least});
+                        {request.keep, request.unwanted, options.mode == Mode::physical, options.store, shot.origin,
+                         shot.flux_scale, least});
         // Memory that is not written to costs nothing; growing would.
         path.photons.reserve(4 * chunk_size);
         run_chunk(world, options, request, list, first, std::min(first + chunk_size, list.total), path);

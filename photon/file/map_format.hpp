@@ -11,8 +11,9 @@ namespace cardioid::photon {
 /// wrote it; another kind of machine refuses the file.
 inline constexpr std::array<char, 8> file_magic{'C', 'A', 'R', 'D', 'M', 'A', 'P', '\n'};
 /// One more whenever a file of before would be misread. Version 1 had in LookupSizes::caustic_radius the largest disc
-/// of a lookup; since 2 it is how far photons of the caustic map reach. Version 3 has Photon::breadth.
-inline constexpr std::uint32_t file_version = 3;
+/// of a lookup; since 2 it is how far photons of the caustic map reach. Version 3 has Photon::breadth,
+/// 4 Way::broad.
+inline constexpr std::uint32_t file_version = 4;
 inline constexpr std::uint32_t byte_order = 0x01020304;
 inline constexpr const char* end_section = "end";
 

@@ -18,6 +18,8 @@ CacheRecord FinalGather::record(const SurfacePoint& point, Vec3 n, std::uint64_t
     const Frame frame(n);
     std::vector<HemisphereRay> rays(static_cast<std::size_t>(hemisphere_.size()));
     const Vec3 ng = dot(point.ng, n) < 0 ? -point.ng : point.ng;
+    BsdfMemory memory;
+    const Bsdf& bsdf = *world_.bsdf(point, memory);
     for (int j = 0, i = 0; j < hemisphere_.rings; ++j)
         for (int k = 0; k < hemisphere_.sectors; ++k, ++i) {
             Sampler sampler(seed_, Purpose::cache, index, static_cast<std::uint32_t>(i));
@@ -28,7 +30,8 @@ CacheRecord FinalGather::record(const SurfacePoint& point, Vec3 n, std::uint64_t
             if (!(dot(wi, ng) > 0)) continue;
             const IncomingLight::Found found = light_.along(point, wi, sampler);
             ray.distance = static_cast<float>(found.distance);
-            if (is_finite(found.L)) ray.L = found.L;
+            const Rgb taken = found.L * bsdf.diffuse_acceptance(point.frame.to_local(wi));
+            if (is_finite(taken)) ray.L = taken;
         }
     const HemisphereReading reading = read_hemisphere(hemisphere_, frame, rays);
     CacheRecord record;

@@ -15,7 +15,8 @@ namespace {
 constexpr int most_bounces = 10'000, sure_bounces = 4;
 constexpr float best_chance = 0.95F;
 
-constexpr Lobe glossy = GlossyPart::glossy, followed_lobes = glossy | Lobe::specular;
+constexpr Lobe glossy = GlossyPart::glossy, mirrors = Lobe::specular | Lobe::transmitted,
+               followed_lobes = glossy | mirrors;
 
 /// The same for the ray that is drawn and for the photon that comes the other way.
 float density(const Bsdf& bsdf, Vec3 wo, Vec3 wi) noexcept { return bsdf.pdf(wo, wi, glossy); }
@@ -102,23 +103,24 @@ bool GlossyCaustics::step(Walk& walk, Sampler& sampler) const noexcept {
     if (point.lamp >= 0) return false;
     BsdfMemory memory;
     const Bsdf& bsdf = *world_.bsdf(point, memory);
-    const Lobe lobes = bsdf.lobes();
+    const Vec3 out = point.frame.to_local(wo);
+    // What broad lobes send is no caustic.
+    const Lobe lobes = bsdf.lobes() & (is_broad(bsdf, out) ? mirrors : followed_lobes);
     float share = 1;
     if (any(lobes & Lobe::glossy)) {
-        const Vec3 out = point.frame.to_local(wo);
         share = traced_share(walk.pdf, lobe_breadth(bsdf, out, least_breadth_));
         const Rgb L = world_.direct(point, GlossyPart(bsdf, out), wo, sampler) + looked_up(point, bsdf, wo, false);
         walk.sum += walk.throughput * L * share;
     }
-    return any(lobes & (Lobe::glossy | Lobe::specular)) && bounce(walk, point, bsdf, share, sampler);
+    return any(lobes & (Lobe::glossy | Lobe::specular)) && bounce(walk, point, bsdf, lobes, share, sampler);
 }
 
-/// Goes on; `share` is what photons have left of the light that comes by the glossy lobes.
-bool GlossyCaustics::bounce(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, float share,
+/// Goes on by one of `lobes`; `share` is what photons have left of the light that comes by the glossy lobes.
+bool GlossyCaustics::bounce(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, Lobe lobes, float share,
                             Sampler& sampler) const noexcept {
     const Vec3 out = point.frame.to_local(Vec3(-walk.ray.d));
     const float u_lobe = sampler.next();
-    const BsdfSample s = bsdf.sample(out, u_lobe, sampler.next2(), followed_lobes);
+    const BsdfSample s = bsdf.sample(out, u_lobe, sampler.next2(), lobes);
     walk.throughput *= s.weight;
     if (!s.is_delta()) walk.throughput *= share;
     if (is_black(walk.throughput) || !is_finite(walk.throughput)) return false;

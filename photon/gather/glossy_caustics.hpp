@@ -21,7 +21,7 @@ private:
                                 bool first) const noexcept;
     [[nodiscard]] Rgb followed(const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, Sampler& sampler) const noexcept;
     [[nodiscard]] bool step(Walk& walk, Sampler& sampler) const noexcept;
-    [[nodiscard]] bool bounce(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, float share,
+    [[nodiscard]] bool bounce(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, Lobe lobes, float share,
                               Sampler& sampler) const noexcept;
     [[nodiscard]] Rgb lamp(const Walk& walk, const SurfacePoint& point) const noexcept;
     [[nodiscard]] Rgb far_lamps(const Walk& walk) const noexcept;

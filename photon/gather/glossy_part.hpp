@@ -3,12 +3,13 @@
 
 namespace cardioid::photon {
 
-/// What of a Bsdf's value is not an even diffuse lobe [1/sr]: its glossy lobes, and by how much its diffuse one is
-/// brighter than even.
+/// What of a Bsdf's value is not its diffuse lobe as irradiance knows it (Bsdf::diffuse_acceptance) [1/sr]: its glossy
+/// lobes, and by how much a diffuse one that depends on wo and wi together is brighter than that.
 inline Rgb glossy_value(const Bsdf& bsdf, Vec3 wo, Vec3 wi, Rgb diffuse_albedo) noexcept {
     const Rgb all = bsdf.f(wo, wi);
     if (is_black(diffuse_albedo) || wo.z * wi.z <= 0) return all;
-    const auto rest = [](float f, float albedo) { return std::max(f - albedo * inv_pi, 0.0F); };
+    const float scale = inv_pi * bsdf.diffuse_acceptance(wi);
+    const auto rest = [scale](float f, float albedo) { return std::max(f - albedo * scale, 0.0F); };
     return {rest(all.r, diffuse_albedo.r), rest(all.g, diffuse_albedo.g), rest(all.b, diffuse_albedo.b)};
 }
 

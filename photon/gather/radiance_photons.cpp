@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "photon/gather/incoming_light.hpp"
-#include "photon/gather/lambert.hpp"
 #include "photon/gather/photon_surface.hpp"
 #include "photon/gather/side.hpp"
 #include "photon/hemisphere/hemisphere.hpp"
@@ -93,17 +92,20 @@ private:
             draft.w = decode_direction(photon.wi);
             draft.number = i;
             const Vec3 ng = geometric_normal(*point, draft.w);
-            const Estimate rest = map_.irradiance(*point, ng, rule_.lookup, &world_);
-            draft.own = from_lamps(*point, ng, i);
-            if (rule_.caustics) draft.own += rule_.caustics->irradiance(*point, ng, rule_.caustic_lookup, &world_).E;
+            BsdfMemory memory;
+            const Bsdf& bsdf = *world_.bsdf(*point, memory);
+            const Estimate rest = map_.irradiance(*point, ng, rule_.lookup, &world_, &bsdf);
+            draft.own = from_lamps(*point, bsdf, ng, i);
+            if (rule_.caustics)
+                draft.own += rule_.caustics->irradiance(*point, ng, rule_.caustic_lookup, &world_, &bsdf).E;
             const Rgb E = draft.own + rest.E;
             if (is_finite(E)) draft.place = {photon.p, photon.n, photon.region, E, rest.radius, 0};
         });
         std::erase_if(drafts_, [](const Draft& draft) { return !(draft.place.blur > 0); });
     }
 
-    [[nodiscard]] Rgb from_lamps(const SurfacePoint& point, Vec3 ng, std::uint64_t number) const {
-        const Lambert white(Rgb{pi});
+    [[nodiscard]] Rgb from_lamps(const SurfacePoint& point, const Bsdf& bsdf, Vec3 ng, std::uint64_t number) const {
+        const DiffuseLobe white(bsdf, Rgb{pi});
         Rgb sum;
         for (std::uint32_t i = 0; i < rule_.light_rays; ++i) {
             Sampler sampler(rule_.seed, Purpose::gather, number, i);
@@ -136,8 +138,10 @@ private:
     /// Puts a small gather over the known places in the stead of what the map told of each. Of places of which it told
     /// too little nothing was known: there the rays go on until they find one.
     void gather(const RadianceMap& known) {
-        const IncomingLight light(
-            world_, {.radiance = &known, .caustics = rule_.caustics, .caustic_lookup = rule_.caustic_lookup});
+        const IncomingLight light(world_, {.radiance = &known,
+                                           .caustics = rule_.caustics,
+                                           .caustic_lookup = rule_.caustic_lookup,
+                                           .broad_apart = rule_.broad_apart});
         const Hemisphere hemisphere = Hemisphere::of(rule_.gather_rays);
         for_each(drafts_.size(), 0.5, 1, [&](std::size_t i) {
             Draft& draft = drafts_[i];
@@ -149,12 +153,16 @@ private:
     [[nodiscard]] Rgb gathered(const Draft& draft, const Hemisphere& hemisphere, const IncomingLight& light) const {
         const Frame frame(shading_normal(draft.point, draft.w));
         const Vec3 ng = geometric_normal(draft.point, draft.w);
+        BsdfMemory memory;
+        const Bsdf& bsdf = *world_.bsdf(draft.point, memory);
         Rgb sum;
         for (int j = 0, i = 0; j < hemisphere.rings; ++j)
             for (int k = 0; k < hemisphere.sectors; ++k, ++i) {
                 Sampler sampler(rule_.seed, Purpose::gather, draft.number, gathers + static_cast<std::uint32_t>(i));
                 const Vec3 wi = frame.to_world(hemisphere.direction(j, k, sampler.next2()));
-                if (dot(wi, ng) > 0) sum += light.along(draft.point, wi, sampler).L;
+                if (!(dot(wi, ng) > 0)) continue;
+                const float taken = bsdf.diffuse_acceptance(draft.point.frame.to_local(wi));
+                sum += light.along(draft.point, wi, sampler).L * taken;
             }
         return sum * (pi / static_cast<float>(hemisphere.size()));
     }

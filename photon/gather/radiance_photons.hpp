@@ -14,6 +14,7 @@ struct RadianceRule {
     LookupRule lookup;              ///< of other light
     const PhotonMap* caustics = nullptr;  ///< where caustics are looked up if not in that map
     LookupRule caustic_lookup;
+    bool broad_apart = true;  ///< IncomingLight::Parts
 };
 
 /// Where radiance photons shall be; all positions relative to one origin.

@@ -9,7 +9,8 @@ namespace {
 /// Light of the caustic map; it is known where it is asked for and changes over the size of its disc.
 CacheRecord caustic_record(const World& world, const LightMaps& maps, const SurfacePoint& point, Vec3 n, Vec3d origin) {
     const Vec3 ng = dot(point.ng, n) < 0 ? -point.ng : point.ng;
-    const Estimate light = maps.caustics->irradiance(point, ng, maps.caustic_lookup, &world);
+    BsdfMemory memory;
+    const Estimate light = maps.caustics->irradiance(point, ng, maps.caustic_lookup, &world, world.bsdf(point, memory));
     CacheRecord record;
     record.p = Vec3(point.p - origin);
     record.n = n;
@@ -25,7 +26,7 @@ EyeCaches fill_eye_caches(const World& world, const Eye& eye, const PhotonOption
     EyeCaches caches;
     if (world.bounds().empty()) return caches;
     std::vector<CacheFill> fills;
-    const FinalGather gather(incoming, tuning.hemisphere, seed);
+    const FinalGather gather(world, incoming, tuning.hemisphere, seed);
     const Vec3d origin = world.bounds().centre();
     if (options.indirect == Indirect::cache && maps.radiance.size() > 0) {
         caches.indirect.emplace(tuning.indirect_rules, world.bounds());

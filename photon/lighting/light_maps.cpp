@@ -85,7 +85,8 @@ private:
             .light_rays = tuning_.light_rays,
             .lookup = maps_.global_lookup,
             .caustics = maps_.caustics ? &*maps_.caustics : nullptr,
-            .caustic_lookup = quick(maps_.caustic_lookup)};
+            .caustic_lookup = quick(maps_.caustic_lookup),
+            .broad_apart = options_.mode == Mode::physical};
         const RadiancePlaces at{radiance_places(places), std::move(places.photons), places.origin};
         maps_.radiance = {make_radiance_photons(world_, at, *maps_.global, rule, progress_), at.origin};
         maps_.statistics.emplace_back("radiance photons", static_cast<std::int64_t>(maps_.radiance.size()));
@@ -102,8 +103,12 @@ private:
 
     void precompute(const std::vector<Photon>& places, Vec3d origin) {
         progress_.begin("cache");
-        const IncomingLight incoming(world_, {.map = &*maps_.global, .lookup = maps_.global_lookup});
-        const FinalGather gather(incoming, tuning_.hemisphere, seed_);
+        const IncomingLight incoming(world_, {.map = &*maps_.global,
+                                              .lookup = maps_.global_lookup,
+                                              .caustics = maps_.caustics ? &*maps_.caustics : nullptr,
+                                              .caustic_lookup = quick(maps_.caustic_lookup),
+                                              .broad_apart = options_.mode == Mode::physical});
+        const FinalGather gather(world_, incoming, tuning_.hemisphere, seed_);
         maps_.precomputed = {precompute_irradiance(world_, places, origin, gather, progress_), origin};
         maps_.statistics.emplace_back("cache points", static_cast<std::int64_t>(maps_.precomputed.size()));
     }
@@ -209,8 +214,9 @@ LightMaps make_light_maps(const World& world, const Eye* eye, const PhotonOption
     return Maker(world, eye, options, plan, tuning, seed, progress).make();
 }
 
-IncomingLight make_incoming(const World& world, const LightMaps& maps, bool always_near) {
+IncomingLight make_incoming(const World& world, const PhotonOptions& options, const LightMaps& maps, bool always_near) {
     IncomingLight::Parts parts;
+    parts.broad_apart = options.mode == Mode::physical;
     if (maps.radiance.size() > 0) parts.radiance = &maps.radiance;
     if (maps.global) parts.map = &*maps.global;
     if (maps.caustics) parts.caustics = &*maps.caustics;

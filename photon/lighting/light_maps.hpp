@@ -39,6 +39,7 @@ void set_lookups(const PhotonOptions& options, const LookupSizes& sizes, LightMa
                                         const Plan& plan, const Tuning& tuning, std::uint32_t seed, Progress& progress);
 
 /// Rays of a gather that end in these maps; they must outlive it. `always_near`: IncomingLight::Parts.
-[[nodiscard]] IncomingLight make_incoming(const World& world, const LightMaps& maps, bool always_near);
+[[nodiscard]] IncomingLight make_incoming(const World& world, const PhotonOptions& options, const LightMaps& maps,
+                                          bool always_near);
 
 }  // namespace cardioid::photon

@@ -44,7 +44,7 @@ void PhotonModule::make_maps(const World& world, const Eye* eye, Progress& progr
 }
 
 void PhotonModule::look_up_from(const World& world, const Eye* eye, const Tuning& tuning, Progress& progress) {
-    incoming_.emplace(make_incoming(world, maps_, eye == nullptr));
+    incoming_.emplace(make_incoming(world, options_, maps_, eye == nullptr));
     glossy_caustics_.reset();
     if (maps_.caustics && options_.mode == Mode::physical)
         glossy_caustics_.emplace(world, *maps_.caustics, maps_.caustic_lookup, quick(maps_.caustic_lookup));
@@ -54,21 +54,21 @@ void PhotonModule::look_up_from(const World& world, const Eye* eye, const Tuning
 }
 
 /// Irradiance of indirect light on the side of wo.
-Rgb PhotonModule::diffuse_irradiance(const World& world, const SurfacePoint& point, Vec3 wo,
+Rgb PhotonModule::diffuse_irradiance(const World& world, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
                                      Sampler& sampler) const noexcept {
     const Vec3 n = shading_normal(point, wo);
     if (caches_.indirect) {
         if (const auto E = caches_.indirect->irradiance(point.p, n)) return *E;
         missed_.fetch_add(1, std::memory_order_relaxed);
-        return incoming_->irradiance(point, n, missed_rays, sampler);
+        return incoming_->irradiance(point, bsdf, n, missed_rays, sampler);
     }
     const Vec3 ng = geometric_normal(point, wo);
     if (maps_.precomputed.size() > 0)
         return maps_.precomputed.mean(point, ng, static_cast<std::uint32_t>(options_.cache_nearest),
                                       options_.cache_edge);
     if (options_.indirect == Indirect::map && maps_.global)
-        return maps_.global->irradiance(point, ng, maps_.global_lookup, &world).E;
-    return options_.indirect == Indirect::none ? Rgb{} : incoming_->irradiance(point, n, 1, sampler);
+        return maps_.global->irradiance(point, ng, maps_.global_lookup, &world, &bsdf).E;
+    return options_.indirect == Indirect::none ? Rgb{} : incoming_->irradiance(point, bsdf, n, 1, sampler);
 }
 
 Rgb PhotonModule::indirect(const World& world, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
@@ -78,7 +78,7 @@ Rgb PhotonModule::indirect(const World& world, const SurfacePoint& point, const 
     Rgb L;
     if (any(lobes & Lobe::diffuse)) {
         const Rgb albedo = bsdf.albedo(point.frame.to_local(wo)).diffuse;
-        if (!is_black(albedo)) L += albedo * diffuse_irradiance(world, point, wo, sampler) * inv_pi;
+        if (!is_black(albedo)) L += albedo * diffuse_irradiance(world, point, bsdf, wo, sampler) * inv_pi;
     }
     if (options_.indirect != Indirect::none && any(lobes & Lobe::glossy))
         L += incoming_->scattered(point, bsdf, wo, Lobe::glossy | Lobe::transmitted, sampler);

@@ -31,7 +31,7 @@ private:
     void load_maps(const std::string& path, const World& world, const Eye* eye, Progress& progress);
     void look_up_from(const World& world, const Eye* eye, const Tuning& tuning, Progress& progress);
     [[nodiscard]] Rgb density(const World& world, const PhotonMap& map, const SurfacePoint& point) const noexcept;
-    [[nodiscard]] Rgb diffuse_irradiance(const World& world, const SurfacePoint& point, Vec3 wo,
+    [[nodiscard]] Rgb diffuse_irradiance(const World& world, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo,
                                          Sampler& sampler) const noexcept;
 
     PhotonOptions options_;

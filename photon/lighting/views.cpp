@@ -56,7 +56,9 @@ Rgb PhotonModule::view(const std::string& name, const World& world, const Surfac
     if (name == "gather") return shown_ ? shown_->gather(point, 2 * dot_radius) : Rgb(ground);
     if (name == "irradiance") {
         Sampler sampler(seed_, Purpose::gather, 0, 0);
-        return incoming_ ? diffuse_irradiance(world, point, point.ng, sampler) * inv_pi : Rgb{};
+        BsdfMemory memory;
+        return incoming_ ? diffuse_irradiance(world, point, *world.bsdf(point, memory), point.ng, sampler) * inv_pi
+                         : Rgb{};
     }
     if (caches_.indirect) return cache_points(*caches_.indirect, point, dot_radius, name == "radius");
     const RadianceMap& points = maps_.precomputed.size() > 0 ? maps_.precomputed : maps_.radiance;
@@ -66,9 +68,9 @@ Rgb PhotonModule::view(const std::string& name, const World& world, const Surfac
 /// Radiance by the map alone, in the colours of the materials.
 Rgb PhotonModule::density(const World& world, const PhotonMap& map, const SurfacePoint& point) const noexcept {
     BsdfMemory memory;
-    const Rgb albedo = world.bsdf(point, memory)->albedo({0, 0, 1}).diffuse;
+    const Bsdf& bsdf = *world.bsdf(point, memory);
     const LookupRule& rule = maps_.global ? maps_.global_lookup : maps_.caustic_lookup;
-    return albedo * map.irradiance(point, point.ng, rule, &world).E * inv_pi;
+    return bsdf.albedo({0, 0, 1}).diffuse * map.irradiance(point, point.ng, rule, &world, &bsdf).E * inv_pi;
 }
 
 }  // namespace cardioid::photon

@@ -12,6 +12,7 @@ enum class Way : std::uint8_t {
     specular = 1,  ///< met mirrors or glass
     glossy = 2,    ///< met a lobe of finite width
     diffuse = 4,   ///< met a diffuse surface
+    broad = 8,     ///< met a lobe of finite width that is_broad()
 };
 constexpr Way operator|(Way a, Way b) { return static_cast<Way>(static_cast<int>(a) | static_cast<int>(b)); }
 constexpr bool has(Way set, Way bit) { return (static_cast<int>(set) & static_cast<int>(bit)) != 0; }

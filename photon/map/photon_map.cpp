@@ -129,13 +129,15 @@ float PhotonMap::reached_share(const World& world, const SurfacePoint& point, Ve
     return share;
 }
 
-Estimate PhotonMap::irradiance(const SurfacePoint& point, Vec3 n, const LookupRule& rule,
-                               const World* world) const noexcept {
+Estimate PhotonMap::irradiance(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const World* world,
+                               const Bsdf* taker) const noexcept {
     WeighedPhotons photons;
     weigh(point, n, rule, world, photons);
     Estimate e{.radius = photons.radius, .k = photons.k};
     for (std::uint32_t i = 0; i < photons.found.size; ++i) {
-        const Rgb share = flux(photons.found.index[i]) * photons.weight(i);
+        const std::uint32_t p = photons.found.index[i];
+        Rgb share = flux(p) * photons.weight(i);
+        if (taker) share *= taker->diffuse_acceptance(point.frame.to_local(direction(p)));
         e.E += share;
         e.variance += share * share;
     }

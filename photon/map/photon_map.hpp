@@ -55,9 +55,10 @@ public:
     void spread(const LookupRule& rule);
 
     /// Irradiance at `point` on the side that the unit vector n (its geometric normal or the opposite) is on.
-    /// `world` is for EdgeRule::probe alone; without it, that rule is `hull`.
+    /// `world` is for EdgeRule::probe alone; without it, that rule is `hull`. With `taker`, each direction counts as
+    /// its diffuse lobe takes it (Bsdf::diffuse_acceptance).
     [[nodiscard]] Estimate irradiance(const SurfacePoint& point, Vec3 n, const LookupRule& rule,
-                                      const World* world = nullptr) const noexcept;
+                                      const World* world = nullptr, const Bsdf* taker = nullptr) const noexcept;
     /// Radiance that leaves: the sum of f(wi) times what each photon brings; f has no cosine, wi is in the world.
     template <class F>
     [[nodiscard]] Rgb radiance(const SurfacePoint& point, Vec3 n, const LookupRule& rule, const F& f,

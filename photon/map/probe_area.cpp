@@ -48,8 +48,10 @@ bool SurfaceProbe::same_surface(const Ray& ray, const Hit& hit) const noexcept {
     const Vec3d met = ray.o + ray.d * hit.t - disc_.point.p, n(disc_.n);
     const double height = dot(met, n), across = length(met - n * height);
     const Vec3d ng = dot(Vec3d(hit.ng), ray.d) < 0 ? Vec3d(hit.ng) : -Vec3d(hit.ng);
+    const Vec3d sine = cross(ng, n);
+    const double bend = std::sqrt((double{most_bend2} * dot(sine, sine) + double{bend_slack2}) * dot(met, met));
     return dot(ng, n) >= double{disc_.least_cos} &&
-           std::abs(height) <= std::max(double{disc_.steepness} * across, double{disc_.slack}) &&
+           std::abs(height) <= std::max(std::min(double{disc_.steepness} * across, bend), double{disc_.slack}) &&
            (!disc_.same_region || hit.id.region == disc_.point.id.region);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "photon/map/tree/point_query.hpp"
 #include "rt_core/api/world.hpp"
 
 namespace cardioid::photon {

@@ -12,6 +12,10 @@ constexpr float steps = 8, last = 255;
 constexpr float sphere = 4 * pi;
 /// The chance to meet a lamp from which on rays have more than half of its light.
 constexpr float even_chance = 0.25F;
+/// Solid angle [sr] from which on a lobe is broad: that of GGX with alpha .15, and of (cos)^n with n = 20.
+constexpr float broad = 0.3F;
+
+Vec3 mirrored(Vec3 wo) noexcept { return {-wo.x, -wo.y, wo.z}; }
 
 }  // namespace
 
@@ -47,8 +51,15 @@ Breadth photon_breadth(const Light& light, bool left_face, FirstMirror first, do
 }
 
 Breadth lobe_breadth(const Bsdf& bsdf, Vec3 wo, float least) noexcept {
-    const float peak = bsdf.pdf(wo, {-wo.x, -wo.y, wo.z}, Lobe::glossy);
+    const float peak = bsdf.pdf(wo, mirrored(wo), Lobe::glossy);
     return encode_breadth(peak > 0 ? std::max(1 / peak, least) : sphere);
+}
+
+bool is_broad(const Bsdf& bsdf, Vec3 wo) noexcept {
+    float peak = bsdf.pdf(wo, mirrored(wo), Lobe::glossy);
+    if (any(bsdf.lobes() & Lobe::transmitted))
+        peak = std::max(peak, bsdf.pdf(wo, -wo, Lobe::glossy | Lobe::transmitted));
+    return peak * broad < 1;
 }
 
 float least_breadth(const World& world) noexcept {

@@ -33,6 +33,11 @@ struct FirstMirror {
 /// `least` [sr].
 [[nodiscard]] Breadth lobe_breadth(const Bsdf& bsdf, Vec3 wo, float least) noexcept;
 
+/// Whether the glossy lobes of a Bsdf send light to wo (local) from so many directions that they are like diffuse ones:
+/// photons that have met them would be spread thinly over all that is around, and rays that meet them ask what light
+/// falls there (path_class.hpp).
+[[nodiscard]] bool is_broad(const Bsdf& bsdf, Vec3 wo) noexcept;
+
 /// The least solid angle [sr] of any lamp of the scene, from as far as half its size; 0 where there are points, spots
 /// or parallel light. Light that a glossy surface passes on is no narrower than that.
 [[nodiscard]] float least_breadth(const World& world) noexcept;

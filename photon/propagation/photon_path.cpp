@@ -99,6 +99,10 @@ bool PhotonPath::bounce(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, S
     ledger.absorbed -= next.flux;
     leg.flux = next.flux;
     if (!next.straight) turn(leg, point, bsdf, next);
+    if (store_.keep == Keep::caustics && path_class(leg.way) == PathClass::indirect) {
+        ledger.absorbed += leg.flux;
+        return false;
+    }
     // A filter does not bend the ray at all: rounding must not either.
     const Vec3d unbent = leg.ray.d;
     leg.ray = point.ray(point.frame.to_world(next.wi));
@@ -110,8 +114,10 @@ bool PhotonPath::bounce(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, S
 void PhotonPath::turn(Leg& leg, const SurfacePoint& point, const Bsdf& bsdf, const Scattered& next) const {
     const Way how = way_of(next.lobe);
     if (leg.way == Way::direct) leg.first = {point.p, Vec3(-leg.ray.d), leg.length};
-    if (how == Way::glossy) leg.lobe = lobe_breadth(bsdf, next.wi, store_.least_breadth);
     leg.way = leg.way | how;
+    if (how != Way::glossy) return;
+    leg.lobe = lobe_breadth(bsdf, next.wi, store_.least_breadth);
+    if (store_.broad_apart && is_broad(bsdf, next.wi)) leg.way = leg.way | Way::broad;
 }
 
 /// Of light that came by mirrors, glass and glossy lobes.

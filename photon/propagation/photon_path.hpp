@@ -16,7 +16,8 @@ enum class Keep : std::uint8_t {
 /// Where and how photons are written.
 struct StoreRule {
     Keep keep = Keep::everything;
-    PathClasses unwanted{};  ///< counted, not kept
+    PathClasses unwanted{};   ///< counted, not kept
+    bool broad_apart = true;  ///< Way::broad is noted
     Store which = Store::all;
     Vec3d origin;             ///< positions are relative to it
     float scale = 1;          ///< of encode_flux

@@ -60,6 +60,9 @@ public:
     /// What direct light from a lamp at `distance` (scene units) is multiplied by, on top of the inverse square that is
     /// already in it. 1 is physics; the Phong model of ARL-TR-3608, note [9], has d^2/(a + b d + c d^2). Finite, >= 0.
     [[nodiscard]] virtual float attenuation(double /*distance*/) const noexcept { return 1; }
+    /// How the diffuse lobe takes light from wi beside an even one. Where irradiance is known instead of directions the
+    /// lobe is taken to be albedo(wo).diffuse / pi * diffuse_acceptance(wi), of mean 1 over |wi.z| dwi / pi. >= 0.
+    [[nodiscard]] virtual float diffuse_acceptance(Vec3 /*wi*/) const noexcept { return 1; }
     [[nodiscard]] bool is_delta() const noexcept { return !any(lobes() & (Lobe::diffuse | Lobe::glossy)); }
 };
 

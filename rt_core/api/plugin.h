@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#define CARDIOID_ABI_MAJOR 2 /* changes when a hook changes its shape */
+#define CARDIOID_ABI_MAJOR 3 /* changes when a hook changes its shape */
 #define CARDIOID_ABI_MINOR 0 /* grows when a hook gains something at its end */
 
 #ifdef __cplusplus

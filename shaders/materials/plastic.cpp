@@ -72,6 +72,10 @@ public:
         const float r = data_->coat_reflectance(std::abs(wo.z));
         return {.diffuse = data_->body * (pi * (1 - r) * data_->entering), .specular = Rgb(r)};
     }
+    /// Grazing light is turned away by the coat.
+    [[nodiscard]] float diffuse_acceptance(Vec3 wi) const noexcept override {
+        return (1 - data_->coat_reflectance(std::abs(wi.z))) / data_->entering;
+    }
 
 private:
     static Vec3 upper(Vec3 w) { return {w.x, w.y, std::abs(w.z)}; }

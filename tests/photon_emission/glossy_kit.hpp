@@ -4,6 +4,7 @@
 #include "emission_kit.hpp"
 
 #include "photon/gather/glossy_caustics.hpp"
+#include "photon/gather/incoming_light.hpp"
 #include "tests/render/path_kit.hpp"
 
 namespace cardioid::test {
@@ -54,8 +55,8 @@ inline photon::LookupRule beyond_rule(float radius = 0.15F) {
     return rule;
 }
 
-/// Radiance (green) that GlossyCaustics finds: a number for each of the maps, the mean of all places, and for each
-/// place the mean over all maps of its variance from map to map.
+/// Radiance (green) that GlossyCaustics finds, and of broad lobes IncomingLight: a number for each of the maps, the
+/// mean of all places, and for each place the mean over all maps of its variance from map to map.
 struct Found {
     Moments mean{1};
     double variance = 0;          ///< relative, of a place
@@ -74,12 +75,15 @@ inline Found find(const CommittedScene& scene, const Look& look, int maps, std::
         photon::PhotonMap map(std::move(shot.photons), shot.origin, shot.flux_scale);
         map.spread(caustic_rule());
         const photon::GlossyCaustics light(scene, map, caustic_rule(), beyond_rule());
+        const photon::IncomingLight broad(scene, {.caustics = &map, .caustic_lookup = beyond_rule()});
         double sum = 0;
         look.each(scene, [&](const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, std::uint32_t at) {
             double L = 0;
             for (std::uint32_t s = 0; s < samples; ++s) {
                 Sampler sampler(7, Purpose::test, static_cast<std::uint64_t>(i) * 25 + at, s);
-                L += double{light.radiance(point, bsdf, wo, sampler).g} / samples;
+                const Rgb narrow = light.radiance(point, bsdf, wo, sampler);
+                L += double{narrow.g} / samples;
+                L += double{broad.scattered(point, bsdf, wo, Lobe::glossy | Lobe::transmitted, sampler).g} / samples;
             }
             places[at].add(L);
             plain[at].add(

@@ -128,10 +128,10 @@ TEST_F(MapFile, OfAnotherKindOrVersionOrMachineSaysSo) {
     std::string changed = bytes();
     changed[8] = 9;
     put(changed);
-    EXPECT_NE(refusal().find("version 9, wanted 3"), std::string::npos);
+    EXPECT_NE(refusal().find("version 9, wanted 4"), std::string::npos);
     changed[8] = 1;  // its caustic radius meant something else
     put(changed);
-    EXPECT_NE(refusal().find("version 1, wanted 3"), std::string::npos);
+    EXPECT_NE(refusal().find("version 1, wanted 4"), std::string::npos);
     write();
     changed = bytes();
     std::swap(changed[12], changed[15]);

@@ -59,7 +59,7 @@ TEST(PathClass, IsCausticBehindGlassOverABlackFloor) {
 TEST(PathClass, IsCausticAfterAMirrorAndAfterRoughMetal) {
     for (const bool rough : {false, true}) {
         SceneKit kit = floor_and_lamp(0);
-        const auto metal = rough ? kit.material("rough", "conductor", {{"roughness", {0.4}}})
+        const auto metal = rough ? kit.material("rough", "conductor", {{"roughness", {0.3}}})
                                  : kit.material("mirror", "mirror", {{"reflectance", {1, 1, 1}}});
         kit.root(kit.box({-3, -3.5, 0}, {3, -3, 6}, metal));
         const Shot shot = shoot(kit.commit(), 20'000);
@@ -106,6 +106,7 @@ TEST(PathClass, IsIndirectOnceAnythingDiffuseWasMet) {
     EXPECT_EQ(photon::path_class(Way::specular | Way::glossy), PathClass::caustic);
     EXPECT_EQ(photon::path_class(Way::diffuse), PathClass::indirect);
     EXPECT_EQ(photon::path_class(Way::diffuse | Way::specular), PathClass::indirect);
+    EXPECT_EQ(photon::path_class(Way::glossy | Way::broad), PathClass::indirect);
 }
 
 // The caustic pass brings what the global pass has of that class, and nothing else.

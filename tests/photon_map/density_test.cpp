@@ -161,6 +161,18 @@ TEST(Density, LeavesPhotonsOfOtherRegionsOutOnRequest) {
     EXPECT_EQ(scene.map(2000).irradiance(point, up, {.same_region = true}).k, 0U);
 }
 
+// As the floor of a groove that is .3 % of the disc deep, where much light is caught.
+TEST(Density, LeavesPhotonsOfADeeperFaceOut) {
+    const auto E = [](double caught) {
+        PhotonScene scene(1);
+        scene.add({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, up, 2000);
+        scene.add({-1, -1, -0.0015F}, {2, 0, 0}, {0, 2, 0}, up, caught);
+        return scene.map(2000).irradiance(point_at({}, up), up, {.k = 8000, .max_radius = 0.5F}).E.g;
+    };
+    EXPECT_NEAR(E(0), 1, 0.1);
+    EXPECT_NEAR(E(6000), E(0), 0.02);
+}
+
 TEST(Density, OfRadianceWeighsEachPhotonByItsDirection) {
     std::vector<Photon> photons(100);
     Random random;

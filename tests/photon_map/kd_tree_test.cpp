@@ -23,6 +23,9 @@ std::optional<float> passes(const PointQuery& q, Vec3 p, Vec3 n, std::uint32_t r
     const float d2 = q.flatten == 1 ? dot(d, d) : dot(d, d) + (q.flatten * q.flatten - 1) * (h * h);
     if (d2 > q.max_radius * q.max_radius) return {};
     if (q.least_cos >= 0 && double{dot(n, q.n)} < double{q.least_cos}) return {};
+    const Vec3d sine = cross(Vec3d(n), Vec3d(q.n));
+    const double bend = std::sqrt((4 * dot(sine, sine) + 4e-8) * double{dot(d, d)});
+    if (q.least_cos >= 0 && !std::isinf(q.steepness) && height > std::max(double{q.slack}, bend)) return {};
     if (q.region != FaceId::none && region != q.region) return {};
     return d2;
 }

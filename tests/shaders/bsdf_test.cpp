@@ -167,6 +167,17 @@ TEST_P(EveryBsdf, IntegratesToTheAlbedoOfItsBroadLobes) {
     }
 }
 
+TEST_P(EveryBsdf, TakesAllDiffuseLightThatItsAlbedoSays) {
+    const Fixture fixture(GetParam());
+    double sum = 0;
+    constexpr int steps = 2000;
+    for (int i = 0; i < steps; ++i) {
+        const float cosine = std::sqrt((static_cast<float>(i) + 0.5F) / steps);
+        sum += double{fixture.bsdf().diffuse_acceptance({std::sqrt(1 - cosine * cosine), 0, cosine})};
+    }
+    EXPECT_NEAR(sum / steps, 1, 2e-3);
+}
+
 TEST_P(EveryBsdf, WeighsSamplesByValueCosineAndDensity) {
     const Fixture fixture(GetParam());
     const Bsdf& bsdf = fixture.bsdf();

@@ -74,6 +74,18 @@ TEST(Plastic, IsDarkerThanItsBodyOnlyByWhatTheBodyAbsorbs) {
     EXPECT_NEAR(albedo(0.5), 0.04 + 0.96 * (1 - .091778) * 0.5 / (2.25 * (1 - 0.5 * .596346)), 1e-4);
 }
 
+TEST(Plastic, TakesGrazingLightLessByItsAcceptance) {
+    BsdfMemory memory;
+    const auto shader = make_shader("plastic", {{"reflectance", number(0.7)}});
+    const Bsdf& bsdf = *shader->bsdf(on_plane(), memory);
+    for (const double o : {0.1, 0.8, 1.5})
+        for (const double i : {0.2, 0.9, 1.45})
+            EXPECT_NEAR(bsdf.f(at(o), at(i)).r, bsdf.albedo(at(o)).diffuse.r * inv_pi * bsdf.diffuse_acceptance(at(i)),
+                        1e-5)
+                << o << " " << i;
+    EXPECT_LT(bsdf.diffuse_acceptance(at(1.5)), 0.5F);
+}
+
 TEST(Conductor, HasTheColourOfItsMetal) {
     BsdfMemory memory;
     const auto seen = [&](const char* metal) {

@@ -6,8 +6,14 @@
 
 namespace cardioid::photon {
 
-/// Which points a query wants. Everything is relative to the tree's own origin; distances are Euclidean but for
-/// `flatten`.
+/// A surface that bends like a circle rises over its plane by half the sine of the angle between the normals, for a
+/// unit of distance. A point that rises more than four times that is on another surface: what lies deeper or higher
+/// with the same normal, as the bottom of a groove or letters that stand out. Squares, for a squared sine of 1, and
+/// what the rounding of normals may add to one of 0.
+inline constexpr float most_bend2 = 4, bend_slack2 = 4e-8F;
+
+/// Which points a query wants. Where both heights and normals are tested, the two have to agree (most_bend2).
+/// Everything is relative to the tree's own origin; distances are Euclidean but for `flatten`.
 struct PointQuery {
     Vec3 p;                                                     ///< finite
     float max_radius = std::numeric_limits<float>::infinity();  ///< > 0; a point at exactly this distance counts

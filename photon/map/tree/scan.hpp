@@ -33,6 +33,7 @@ struct ScanQuery {
     std::uint32_t region;
     bool test_height;  ///< whether steepness or flatten have any effect
     bool test_normal;  ///< whether least_cos has
+    bool test_bend;    ///< whether steepness and least_cos have
     bool test_region;  ///< whether region has
 };
 

@@ -11,9 +11,10 @@ namespace {
 /// Steps of encode_direction.
 constexpr float step = 2.0F / 65534.0F;
 
-/// dot(n, m)^2 and length(m)^2 of the octahedron's point m that `bits` stand for; the first is 0 where m is behind n.
+/// dot(n, m)^2, the square of what m has across n, and length(m)^2, of the octahedron's point m that `bits` stand for;
+/// the first is 0 where m is behind n.
 struct Facing {
-    float along2, length2;
+    float along2, across2, length2;
 };
 Facing facing(std::uint32_t bits, Vec3 n) {
     float u = static_cast<float>(bits & 0xFFFFU) * step - 1, v = static_cast<float>(bits >> 16) * step - 1;
@@ -22,16 +23,19 @@ Facing facing(std::uint32_t bits, Vec3 n) {
     u = u - std::copysign(fold, u);
     v = v - std::copysign(fold, v);
     const float along = std::max(u * n.x + v * n.y + w * n.z, 0.0F);
-    return {along * along, u * u + v * v + w * w};
+    const float x = u - along * n.x, y = v - along * n.y, z = w - along * n.z;
+    return {along * along, x * x + y * y + z * z, u * u + v * v + w * w};
 }
 
 /// What is left to test of a point that is near enough: its distance in the query's metric, or infinity.
 float tested(const PointGroup& group, std::uint32_t lane, const ScanQuery& q, float distance2) {
     constexpr float refused = std::numeric_limits<float>::infinity();
+    const float true_distance2 = distance2;
+    float height2 = 0;
     if (q.test_height) {
         const float dx = group.x[lane] - q.p.x, dy = group.y[lane] - q.p.y, dz = group.z[lane] - q.p.z;
         const float height = dx * q.n.x + dy * q.n.y + dz * q.n.z;
-        const float height2 = height * height;
+        height2 = height * height;
         if (!(height2 <= std::max(q.slack2, q.steep_share * distance2))) return refused;
         distance2 = distance2 + q.stretch * height2;
     }
@@ -39,6 +43,10 @@ float tested(const PointGroup& group, std::uint32_t lane, const ScanQuery& q, fl
     if (q.test_normal) {
         const Facing f = facing(group.n[lane], q.n);
         if (!(f.along2 > 0 && f.along2 >= q.least_cos2 * f.length2)) return refused;
+        if (q.test_bend) {
+            const float allowed = (most_bend2 * f.across2 + bend_slack2 * f.length2) * true_distance2;
+            if (!(height2 * f.length2 <= std::max(q.slack2 * f.length2, allowed))) return refused;
+        }
     }
     return distance2;
 }
@@ -114,6 +122,7 @@ ScanQuery::ScanQuery(const PointQuery& g) noexcept
       region(g.region),
       test_height(!std::isinf(g.steepness) || g.flatten != 1),
       test_normal(g.least_cos >= 0),
+      test_bend(test_normal && !std::isinf(g.steepness)),
       test_region(g.region != FaceId::none) {}
 
 }  // namespace cardioid::photon

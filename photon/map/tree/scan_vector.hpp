@@ -12,8 +12,8 @@ namespace {
 
 constexpr float octahedron_step = 2.0F / 65534.0F;
 
-/// The lanes whose normals pass the query's test.
-CARDIOID_VECTOR unsigned facing(const std::uint32_t* bits, const ScanQuery& q) {
+/// The lanes whose normals pass the query's tests, for what is so high over its plane and so far.
+CARDIOID_VECTOR unsigned facing(const std::uint32_t* bits, const ScanQuery& q, V::F height2, V::F distance2) {
     const V::F one = V::all(1), step = V::all(octahedron_step);
     V::F u = V::low_half(bits) * step - one, v = V::high_half(bits) * step - one;
     const V::F w = one - V::abs(u) - V::abs(v);
@@ -22,7 +22,13 @@ CARDIOID_VECTOR unsigned facing(const std::uint32_t* bits, const ScanQuery& q) {
     v = v - V::with_sign(fold, v);
     const V::F along = u * V::all(q.n.x) + v * V::all(q.n.y) + w * V::all(q.n.z);
     const V::F length2 = u * u + v * v + w * w;
-    return V::less(V::all(0), along) & V::at_most(V::all(q.least_cos2) * length2, along * along);
+    const V::F along2 = along * along;
+    const unsigned lanes = V::less(V::all(0), along) & V::at_most(V::all(q.least_cos2) * length2, along2);
+    if (!q.test_bend) return lanes;
+    const V::F x = u - along * V::all(q.n.x), y = v - along * V::all(q.n.y), z = w - along * V::all(q.n.z);
+    const V::F across2 = x * x + y * y + z * z;
+    const V::F allowed = (V::all(most_bend2) * across2 + V::all(bend_slack2) * length2) * distance2;
+    return lanes & V::at_most(height2 * length2, V::max(V::all(q.slack2) * length2, allowed));
 }
 
 /// The lanes of the block of V::size points from `block` on that belong to the bucket.
@@ -45,18 +51,19 @@ CARDIOID_VECTOR std::uint32_t scan(const PointGroup* groups, Bucket bucket, cons
         const std::uint32_t lane = block % PointGroup::size;
         const V::F dx = V::load(group.x + lane) - px, dy = V::load(group.y + lane) - py,
                    dz = V::load(group.z + lane) - pz;
-        V::F distance2 = dx * dx + dy * dy + dz * dz;
+        const V::F true_distance2 = dx * dx + dy * dy + dz * dz;
+        V::F distance2 = true_distance2, height2 = V::all(0);
         unsigned lanes = lanes_of(bucket, block);
         if (q.test_height) {
             const V::F height = dx * V::all(q.n.x) + dy * V::all(q.n.y) + dz * V::all(q.n.z);
-            const V::F height2 = height * height;
+            height2 = height * height;
             lanes &= V::at_most(height2, V::max(V::all(q.slack2), V::all(q.steep_share) * distance2));
             distance2 = distance2 + V::all(q.stretch) * height2;
         }
         lanes &= V::less(distance2, limit);
         if (lanes == 0) continue;
         if (q.test_region) lanes &= V::equal(group.region + lane, q.region);
-        if (q.test_normal) lanes &= facing(group.n + lane, q);
+        if (q.test_normal) lanes &= facing(group.n + lane, q, height2, true_distance2);
         V::compress(d2 + found, distance2, lanes);
         V::compress(index + found, V::count_from(block), lanes);
         found += static_cast<std::uint32_t>(__builtin_popcount(lanes));
