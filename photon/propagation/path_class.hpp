@@ -6,9 +6,9 @@
 namespace cardioid::photon {
 
 /// Which term of ARL-TR-3608's equation 1 a photon belongs to where it is found. Every path from a light L to the eye E
-/// is accounted for exactly once. With D a diffuse, B a broad glossy (is_broad()), G any other glossy (finite width) and
-/// S a specular scattering, T a straight pass through a thin filter, X = S|G|T, x the point seen (which has non-delta
-/// lobes) and s = (S|T)* its way to the eye:
+/// is accounted for exactly once. With D a diffuse, B a broad glossy (is_broad()), G any other glossy (finite width)
+/// and S a specular scattering, T a straight pass through a thin filter, X = S|G|T, x the point seen (which has
+/// non-delta lobes) and s = (S|T)* its way to the eye:
 ///
 ///     path              class      who accounts for it
 ///     L s E                        LightParts::emission: the renderer, following the eye's ray
@@ -17,10 +17,10 @@ namespace cardioid::photon {
 ///     L (X|B|D)* x s E  indirect   LightingModule::indirect: cache, gather or global map; there is a B or a D
 ///
 /// A final gather for the last row sends rays from x and follows them by X and B. Where one meets a diffuse lobe, it
-/// takes *all* photons of the global map there, of whatever class, times that lobe alone; where one meets a broad lobe,
-/// World::direct and the caustic map times that lobe, and it goes on; where one meets a light, nothing: the two rows
-/// before have it. So every S or G between x and the last D is traced, every D is looked up. In `mode = report` there is
-/// no B.
+/// takes *all* photons of the global map there, of whatever class, times that lobe alone; where one meets a broad
+/// lobe, World::direct and the caustic map times that lobe, and it goes on; where one meets a light, nothing: the two
+/// rows before have it. So every S or G between x and the last D is traced, every D is looked up. In `mode = report`
+/// there is no B.
 ///
 /// The global map holds photons of all classes, so that it answers both "everything that falls here" (gather) and, by
 /// class, each row alone. Of the row `caustic` the map has all that leaves x by diffuse lobes. What leaves it by glossy
